@@ -60,6 +60,23 @@ class CompactWriter : public BlockRoom<T> {
       point += count;
     }
   }
+  /// Where no two points of a pair have the same features, which only whole contacts tell apart.
+  template <class Single>
+  bool write_boxes(const MetBoxes<T>& met, std::size_t size, Single& single) {
+    reserve(block_pairs, CompactBlock<T>::room);
+    CompactBlock<T> block;
+    block.manifolds = found_.manifolds.data() + manifolds_;
+    block.points = found_.points.data() + points_;
+    block.first_point = static_cast<std::uint32_t>(points_);
+    block.pairs = met.place + met.first;
+    GRAZE_KERNEL(chosen_isa(), box_compact_points<T>)(met, size, block);
+    if (block.any_twice) return false;
+    manifolds_ += block.manifold_count;
+    points_ += block.point_count;
+    for (std::size_t k = 0; block.manifold_count < size && k < size; ++k)
+      if ((block.known >> k & 1) == 0) single(block.pairs[k]);
+    return true;
+  }
   template <class Ask>
   RowCounts write_rows(std::size_t first, OtherRows<T>& others, const Ask& ask) {
     const RowCounts found = ask(ContactRows<T>{pairs_aside_, manifolds_aside_.records, points_aside_.records,

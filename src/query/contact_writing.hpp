@@ -17,6 +17,9 @@
 //                                                     write what it finds of them, with at most one point each, and
 //                                                     tells how much that is
 //     offer(block), settle(block, count)              where kernels write blocks to, as `BlockRoom`
+//
+// and may have `write_boxes(met, size, single)`, for the next `size` of boxes in rows: whether it wrote them itself, or
+// had `single` asked about them.
 #pragma once
 
 #include <algorithm>
@@ -92,6 +95,13 @@ class BatchSink {
   }
   void met(const MetPairs<T>& some, bool turned) {
     writer_.write(some, turned, [&](std::size_t k) { return place_(some.place(k)); });
+  }
+  /// Of pairs in rows, whose places are those in the batch.
+  bool boxes(const MetBoxes<T>& met, std::size_t size) {
+    if constexpr (requires { writer_.write_boxes(met, size, single_); })
+      return writer_.write_boxes(met, size, single_);
+    else
+      return false;
   }
   Writer& room() { return writer_; }
 

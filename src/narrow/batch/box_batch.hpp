@@ -156,9 +156,19 @@ void visit_points(const Points& points, const std::uint32_t* places, const T* di
   visit_block(block, places, distances, count, met, unknown);
 }
 
-/// Asks the kernel about the boxes that wait, as long as there is a block full of them, or about `all`.
-template <class T, class Room, class Met, class Unknown>
-void visit_met_boxes(MetBoxes<T>& boxes, bool all, Room& room, const Met& met, const Unknown& unknown) {
+/// Writes no block by itself.
+struct WritesNone {
+  template <class Boxes>
+  bool operator()(const Boxes&, std::size_t) const {
+    return false;
+  }
+};
+
+/// Asks the kernel about the boxes that wait, as long as there is a block full of them, or about `all`; but not about
+/// those of a block for which `write(boxes, size)` has its own ask, which tells whether it does.
+template <class T, class Room, class Met, class Unknown, class Write = WritesNone>
+void visit_met_boxes(MetBoxes<T>& boxes, bool all, Room& room, const Met& met, const Unknown& unknown,
+                     const Write& write = {}) {
   const auto kernel = GRAZE_KERNEL(chosen_isa(), box_points<T>);
   for (std::size_t waiting; waiting = boxes.count - boxes.first, waiting >= block_pairs || (all && waiting > 0);) {
     const std::size_t size = std::min(waiting, block_pairs), end = boxes.first + size;
@@ -166,8 +176,9 @@ void visit_met_boxes(MetBoxes<T>& boxes, bool all, Room& room, const Met& met, c
     for (std::size_t column = 0; size < block_pairs && column < MetBoxes<T>::columns; ++column)
       std::fill(boxes.number[column] + end, boxes.number[column] + boxes.first + block_pairs,
                 boxes.number[column][end - 1]);
-    visit_points<T>([&](PointBlock<T>& block) { kernel(boxes, size, block); }, boxes.place + boxes.first,
-                    boxes.number[MetBoxes<T>::distance] + boxes.first, size, room, met, unknown);
+    if (!write(boxes, size))
+      visit_points<T>([&](PointBlock<T>& block) { kernel(boxes, size, block); }, boxes.place + boxes.first,
+                      boxes.number[MetBoxes<T>::distance] + boxes.first, size, room, met, unknown);
     boxes.first = end;
   }
 }
@@ -190,16 +201,15 @@ void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart&
   visit_met_boxes(boxes, true, room, met, unknown);
 }
 /// And about plain boxes in rows, of which up to `MetBoxes::most` are asked about at a time, the first of them pair
-/// number `number`. What is left of them waits in `boxes` for the next ones.
-template <class T, class Apart, class Met, class Unknown, class Room>
-void visit_box_contacts(const PairRows<T>& rows, std::size_t count, T margin, std::uint32_t number, MetBoxes<T>& boxes,
-                        const Apart& apart, const Met& met, const Unknown& unknown, Room& room) {
+/// number `number`. What is left of them waits in `boxes` for `visit_met_boxes`.
+template <class T, class Apart>
+void visit_box_axes(const PairRows<T>& rows, std::size_t count, T margin, std::uint32_t number, MetBoxes<T>& boxes,
+                    const Apart& apart) {
   static_assert(batch_chunk <= MetBoxes<T>::most);
   std::uint32_t places[MetBoxes<T>::most + block_pairs];
   const std::size_t apart_count =
       GRAZE_KERNEL(chosen_isa(), box_row_axes<T>)(rows, count, margin, number, boxes, places);
   for (std::size_t k = 0; k < apart_count; ++k) apart(places[k]);
-  visit_met_boxes(boxes, false, room, met, unknown);
 }
 
 /// A kernel for the points of contact of pairs whose distances, and what else a `Choice` says, are known.

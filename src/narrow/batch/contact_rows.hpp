@@ -4,7 +4,7 @@
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
 
-#include "narrow/batch/pair_kernels.hpp"
+#include "narrow/batch/point_forms.hpp"
 #include "narrow/batch/row_bundle.hpp"
 #include "narrow/manifold/features.hpp"
 #include "narrow/pairs/segment_lanes.hpp"
@@ -27,14 +27,6 @@ struct LaneContacts {
     return {graze::mirrored(at), (feature << 16 & high) | (feature >> 16 & low), Lanes<T>(1) - weight};
   }
 };
-
-/// Lanes of whole numbers as what registers of numbers hold.
-[[gnu::always_inline]] inline Lanes<float> as_lanes(const Lanes<float>::BitVector& whole) {
-  return Lanes<float>::of(reinterpret_cast<Lanes<float>::Vector>(whole));
-}
-[[gnu::always_inline]] inline Lanes<float> as_lanes(std::uint32_t whole) {
-  return as_lanes(Lanes<float>::BitVector{} + static_cast<std::int32_t>(whole));
-}
 
 /// Writes the entries of the pairs of a bundle of which `count` lanes are filled; in those of `touching` they touch,
 /// and the first of these is manifold number `first`.

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "graze/batch_contacts.hpp"
+#include "graze/compact_contacts.hpp"
 #include "graze/contact.hpp"
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
@@ -72,22 +73,26 @@ struct FoundTriangles;  // pairs/triangle_triangle/contacts.hpp
 struct AnswerRounding;
 
 /// The contacts of up to `block_pairs` pairs: of those that are known a manifold each, and its points, those of a pair
-/// one behind the other, pair after pair.
-template <class T>
+/// one behind the other, pair after pair; as a batch has them in the form of its answer.
+template <class T, class Form = BatchContacts<T>>
 struct PointBlock {
-  using Group = typename BatchContacts<T>::Group;
+  using Group = typename Form::Group;
+  using Point = typename decltype(Form::points)::value_type;
   /// Room for what kernels write behind the last point.
   static constexpr std::size_t room = (most_block_points + 1) * block_pairs;
 
   // Where to write to; there is room for `block_pairs` and for `room`.
   Group* manifolds;
-  ContactPoint<T>* points;
-  std::uint32_t first_point;  ///< the number of the first of the points
+  Point* points;
+  std::uint32_t first_point;   ///< the number of the first of the points
+  const std::uint32_t* pairs;  ///< numbers of the pairs, where the form has them; as many as lanes take are read
 
   std::uint32_t known;                        ///< the `k`-th pair is: bit k
   std::uint32_t manifold_count, point_count;  ///< of all
   bool any_twice;                             ///< two points of a pair have the same features
 };
+template <class T>
+using CompactBlock = PointBlock<T, CompactContacts<T>>;
 
 /// Pairs of boxes within their margins, as the kernel for axes hands them on to the one for points: of each number that
 /// this takes a column, in which the pairs stand one behind the other.
@@ -158,6 +163,8 @@ GRAZE_DECLARE_KERNEL(
     /// The points of the next `count` <= `block_pairs` of these. Behind them there are numbers for the lanes that stay
     /// empty.
     template <class T> void box_points(const MetBoxes<T>& met, std::size_t count, PointBlock<T>& block);
+    /// The same in few bytes.
+    template <class T> void box_compact_points(const MetBoxes<T>& met, std::size_t count, CompactBlock<T>& block);
     /// The axes of pairs of a box and a triangle, and the points of up to `block_pairs` along them.
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleReferenceAxis<T>* axes);
     template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleReferenceAxis<T>* axes, std::size_t count,

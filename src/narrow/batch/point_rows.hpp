@@ -9,9 +9,7 @@
 // them at a time, whoever's they are.
 #pragma once
 
-#include "narrow/batch/pair_kernels.hpp"
-#include "narrow/manifold/features.hpp"
-#include "simd/rows.hpp"
+#include "narrow/batch/point_forms.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -34,40 +32,6 @@ struct PointColumns {
     return v;
   }
 };
-
-#if defined(__AVX512F__)
-namespace gathering {
-
-/// Of two registers, of every four lanes 2 k + {0, 1, 8, 9}, for k = 2 `half` and the next, those of both by turns.
-template <std::size_t half, class V, std::size_t... I>
-[[gnu::always_inline]] inline V every_other_two(const V& a, const V& b, std::index_sequence<I...>) {
-  return __builtin_shufflevector(a, b, (I % 2 * 16 + 2 * (2 * half + I % 4 / 2) + I / 4 % 2 + I / 8 * 8)...);
-}
-template <class V>
-[[gnu::always_inline]] inline void rows_of_four(const V* columns, V (&out)[4]) {
-  const V low01 = every_other_two<0>(columns[0], columns[1], Sixteen()),
-          low23 = every_other_two<0>(columns[2], columns[3], Sixteen()),
-          high01 = every_other_two<1>(columns[0], columns[1], Sixteen()),
-          high23 = every_other_two<1>(columns[2], columns[3], Sixteen());
-  out[0] = paired<0>(low01, low23, Sixteen());
-  out[1] = paired<1>(low01, low23, Sixteen());
-  out[2] = paired<0>(high01, high23, Sixteen());
-  out[3] = paired<1>(high01, high23, Sixteen());
-}
-/// Of eight columns the rows, two in each register, in their order.
-template <class V>
-[[gnu::always_inline]] inline void rows_of_eight(const V (&columns)[8], V (&rows)[8]) {
-  V low[4], high[4];
-  rows_of_four(columns, low);
-  rows_of_four(columns + 4, high);
-  for (std::size_t k = 0; k < 4; ++k) {
-    rows[k] = eights<0>(low[k], high[k], Sixteen());
-    rows[k + 4] = eights<1>(low[k], high[k], Sixteen());
-  }
-}
-
-}  // namespace gathering
-#endif
 
 /// Puts columns of slots together, of the slots that are filled: bit i of a lane of `filled` is its slot i.
 template <class T, std::size_t width>
@@ -147,54 +111,6 @@ template <class T>
 #endif
 }
 
-/// The numbers of features of points, by the numbers of their parts.
-template <class T>
-[[gnu::always_inline]] inline typename Lanes<T>::BitVector
-feature_ids(const std::uint32_t (&features_a)[most_parts], const typename Lanes<T>::BitVector& part_a,
-            const std::uint32_t (&features_b)[most_parts], const typename Lanes<T>::BitVector& part_b) {
-  if constexpr (gathering::sixteen<T>) {
-    return looked_up(features_a, part_a) << 16 | looked_up(features_b, part_b);
-  } else {
-    typename Lanes<T>::BitVector found{};
-    for (int i = 0; i < lanes_of<T>; ++i)
-      found[i] = static_cast<typename Lanes<T>::Bits>(feature_id(features_a[part_a[i]], features_b[part_b[i]]));
-    return found;
-  }
-}
-
-/// Points in lanes: where on A and on B, and how far apart.
-template <class T>
-struct LanePoints {
-  Lanes<T> a[3], b[3], distance;
-};
-
-/// Writes a row for each of the lanes.
-template <class T>
-[[gnu::always_inline]] inline void put_rows(const LanePoints<T>& points, const typename Lanes<T>::BitVector& feature,
-                                            ContactPoint<T>* to) {
-  if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof(ContactPoint<T>) == 36 && offsetof(ContactPoint<T>, feature) == 28);
-    using V = Lanes<float>::Vector;
-    const Lanes<float> names = Lanes<float>::of(reinterpret_cast<V>(feature)), half(0.5f);
-#if defined(__AVX512F__)
-    const V columns[8] = {points.a[0].v, points.a[1].v, points.a[2].v,     points.b[0].v,
-                          points.b[1].v, points.b[2].v, points.distance.v, names.v};
-    V rows[8];
-    gathering::rows_of_eight(columns, rows);
-    gathering::store_packed<9>(rows, half.v, reinterpret_cast<char*>(to), std::make_index_sequence<9>());
-#else
-    const Lanes<float> columns[9] = {points.a[0], points.a[1],     points.a[2], points.b[0], points.b[1],
-                                     points.b[2], points.distance, names,       half};
-    store_chosen_rows(columns, Chosen<float>::all, to);
-#endif
-  } else {
-    for (int i = 0; i < lanes_of<T>; ++i) {
-      const auto vector = [i](const Lanes<T>(&v)[3]) { return Vec3<T>{v[0][i], v[1][i], v[2][i]}; };
-      to[i] = {vector(points.a), vector(points.b), points.distance[i], static_cast<std::uint32_t>(feature[i])};
-    }
-  }
-}
-
 /// Numbers of points, of which two are the same where both are of one pair and have the same parts.
 template <class T>
 class PointKeys {
@@ -230,21 +146,21 @@ class PointKeys {
 inline constexpr std::size_t points_ahead = 64;
 
 /// Before the first bundle.
-template <class T>
-[[gnu::always_inline]] inline void clear(PointBlock<T>& block) {
+template <class T, class Form>
+[[gnu::always_inline]] inline void clear(PointBlock<T, Form>& block) {
   block.known = block.manifold_count = block.point_count = 0;
   block.any_twice = false;
 }
 
 /// Appends the points of a bundle to those of a block, as `make(columns, first)` makes them of the columns from the
 /// `first`-th point on: `LanePoints` and the numbers of their parts.
-template <class T, std::size_t width, class Make>
+template <class T, std::size_t width, class Make, class Form>
 [[gnu::always_inline]] inline void
 append_points(const PointColumns<T, width>& columns, const std::uint32_t (&features_a)[most_parts],
-              const std::uint32_t (&features_b)[most_parts], const Make& make, PointBlock<T>& block) {
+              const std::uint32_t (&features_b)[most_parts], const Make& make, PointBlock<T, Form>& block) {
   using BitVector = typename Lanes<T>::BitVector;
   PointKeys<T> keys;
-  ContactPoint<T>* const to = block.points + block.point_count;
+  auto* const to = block.points + block.point_count;
   for (std::size_t first = 0; first < columns.count; first += lanes_of<T>) {
     LanePoints<T> points;
     Lanes<T> part_a, part_b;
@@ -253,7 +169,8 @@ append_points(const PointColumns<T, width>& columns, const std::uint32_t (&featu
     keys.put(first, Lanes<T>::of(__builtin_convertvector(columns.lanes_from(first), typename Lanes<T>::Vector)), part_a,
              part_b);
     fetch_lines<true>(to + first + points_ahead, lanes_of<T>);
-    put_rows<T>(points, feature_ids<T>(features_a, a, features_b, b), to + first);
+    const auto features = [&]() __attribute__((always_inline)) { return feature_ids<T>(features_a, a, features_b, b); };
+    put_rows<T>(points, features, to + first);
   }
   block.point_count += static_cast<std::uint32_t>(columns.count);
   if (keys.any_twice(columns.count)) block.any_twice = true;
@@ -262,42 +179,19 @@ append_points(const PointColumns<T, width>& columns, const std::uint32_t (&featu
 /// Writes the manifolds of a bundle of which `count` lanes are filled, the first with the block's `first`-th pair.
 /// Those that are not `known` have none and no points, nor have lanes without a pair: of these slots `filled` becomes
 /// empty.
-template <class T>
+template <class T, class Form>
 [[gnu::always_inline]] inline void put_pairs(const Vec3<Lanes<T>>& normal, const Lanes<T>& known, std::size_t first,
-                                             std::size_t count, Lanes<T>& filled, PointBlock<T>& block) {
+                                             std::size_t count, Lanes<T>& filled, PointBlock<T, Form>& block) {
   using S = Lanes<T>;
   using Whole = typename S::BitVector;
-  using Group = typename BatchContacts<T>::Group;
   const std::uint32_t here = Chosen<T>::not_less(known, S(1)).bits() & filled_lanes<T>(count);
   const Whole chosen = lanes_with<T>(here);
   // The bits of all lanes are counted at once, by twos, by fours and by eights.
   const Whole bits = __builtin_convertvector(filled.v, Whole) & chosen, twos = bits - (bits >> 1 & 0x55),
               fours = (twos & 0x33) + (twos >> 2 & 0x33), counts = (fours + (fours >> 4)) & 0xf;
   filled = S::of(__builtin_convertvector(bits, typename S::Vector));
-  Group* to = block.manifolds + block.manifold_count;
-  std::uint32_t point = block.first_point + block.point_count;
-  if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof(Group) == 28 && offsetof(Group, piece_a) == 12 && offsetof(Group, first_point) == 20);
-    const auto as_lanes = [](const Whole& whole) __attribute__((always_inline)) {
-      return S::of(reinterpret_cast<typename S::Vector>(whole));
-    };
-    const S none = as_lanes(Whole{});
-    const S group[7] = {normal.x,
-                        normal.y,
-                        normal.z,
-                        none,
-                        none,
-                        as_lanes(ones_before<T>(counts) + static_cast<std::int32_t>(point)),
-                        as_lanes(counts)};
-    store_chosen_rows(group, here, to);
-  } else {
-    for (int i = 0; i < lanes_of<T>; ++i) {
-      if ((here >> i & 1) == 0) continue;
-      const auto size = static_cast<std::uint32_t>(counts[i]);
-      *to++ = {{normal.x[i], normal.y[i], normal.z[i]}, 0, 0, point, size};
-      point += size;
-    }
-  }
+  const Whole numbers = ones_before<T>(counts) + static_cast<typename S::Bits>(block.first_point + block.point_count);
+  put_manifolds<T>(LaneManifolds<T>{normal, numbers, counts}, here, first, block);
   block.known |= here << first;
   block.manifold_count += static_cast<std::uint32_t>(count_bits(here));
 }

@@ -61,9 +61,9 @@ void sort_out(const BoxRows<S>& p, const PoseRows<S>& pose_a, const PoseRows<S>&
 }
 
 /// Writes the points of a bundle whose first pair is the `first`-th.
-template <class T, class S>
+template <class T, class S, class Form>
 [[gnu::always_inline]] inline void put_meeting(const BoxMeeting<S>& found, std::size_t first, std::size_t count,
-                                               PointBlock<T>& block) {
+                                               PointBlock<T, Form>& block) {
   using Some = Packed<S, 1>;
   const auto& corners = found.corners;
   S filled(0);
@@ -87,6 +87,34 @@ template <class T, class S>
         part_b = made.part_b[0];
       },
       block);
+}
+
+/// Writes the points of the next `count` pairs that wait.
+template <class T, class Form>
+[[gnu::always_inline]] inline void put_points_of(const MetBoxes<T>& met, std::size_t count,
+                                                 PointBlock<T, Form>& block) {
+  using S = Lanes<T>;
+  using Row = Packed<S, 3>;
+  using From = MetBoxes<T>;
+  clear(block);
+  for (std::size_t first = 0; first < count; first += lanes_of<T>) {
+    const auto number = [&](std::size_t column) __attribute__((always_inline)) {
+      return S::load(met.number[column] + (met.first + first));
+    };
+    const auto row = [&](std::size_t column) __attribute__((always_inline)) {
+      return Row(number(column), number(column + 1), number(column + 2));
+    };
+    const BoxRows<S> boxes(row(From::half_a), row(From::half_b), row(From::translation),
+                           {row(From::rotation), row(From::rotation + 3), row(From::rotation + 6)});
+    const BoxLimits<S> limits{number(From::limits), number(From::limits + 1), number(From::limits + 2),
+                              number(From::limits + 3)};
+    const PoseRows<S> clipping(row(From::clipping), row(From::clipping + 3), Row(number(From::clipping + 6)));
+    const std::size_t left = count - first, lanes = lanes_of<T>;
+    with_box_meeting(
+        boxes, limits, [&](const auto&) __attribute__((always_inline)) { return clipping; },
+        [&](const BoxMeeting<S>& found)
+            __attribute__((always_inline)) { put_meeting(found, first, left < lanes ? left : lanes, block); });
+  }
 }
 
 }  // namespace
@@ -129,28 +157,12 @@ template <class T>
 
 template <class T>
 [[gnu::flatten]] void box_points(const MetBoxes<T>& met, std::size_t count, PointBlock<T>& block) {
-  using S = Lanes<T>;
-  using Row = Packed<S, 3>;
-  using From = MetBoxes<T>;
-  clear(block);
-  for (std::size_t first = 0; first < count; first += lanes_of<T>) {
-    const auto number = [&](std::size_t column) __attribute__((always_inline)) {
-      return S::load(met.number[column] + (met.first + first));
-    };
-    const auto row = [&](std::size_t column) __attribute__((always_inline)) {
-      return Row(number(column), number(column + 1), number(column + 2));
-    };
-    const BoxRows<S> boxes(row(From::half_a), row(From::half_b), row(From::translation),
-                           {row(From::rotation), row(From::rotation + 3), row(From::rotation + 6)});
-    const BoxLimits<S> limits{number(From::limits), number(From::limits + 1), number(From::limits + 2),
-                              number(From::limits + 3)};
-    const PoseRows<S> clipping(row(From::clipping), row(From::clipping + 3), Row(number(From::clipping + 6)));
-    const std::size_t left = count - first, lanes = lanes_of<T>;
-    with_box_meeting(
-        boxes, limits, [&](const auto&) __attribute__((always_inline)) { return clipping; },
-        [&](const BoxMeeting<S>& found)
-            __attribute__((always_inline)) { put_meeting(found, first, left < lanes ? left : lanes, block); });
-  }
+  put_points_of(met, count, block);
+}
+
+template <class T>
+[[gnu::flatten]] void box_compact_points(const MetBoxes<T>& met, std::size_t count, CompactBlock<T>& block) {
+  put_points_of(met, count, block);
 }
 
 template <class T>
@@ -174,6 +186,7 @@ template <class T>
   template std::size_t box_axes(const PairRef<T>*, std::size_t, std::uint32_t, MetBoxes<T>&, std::uint32_t*);          \
   template std::size_t box_row_axes(const PairRows<T>&, std::size_t, T, std::uint32_t, MetBoxes<T>&, std::uint32_t*);  \
   template void box_points(const MetBoxes<T>&, std::size_t, PointBlock<T>&);                                           \
+  template void box_compact_points(const MetBoxes<T>&, std::size_t, CompactBlock<T>&);                                 \
   template bool box_contact(const PairRef<T>&, BoxReferenceAxis<T>&, ContactSlots<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

@@ -86,18 +86,19 @@ struct BoxBox : BoxLikePair<Box, Box> {
         [&](std::size_t i) { sink.unknown(i); }, room_of(sink));
   }
   /// Pairs in rows, which `each_rows(ask)` gives as `ask(rows, first, count)`; the sink is told of them by their places
-  /// among all.
+  /// among all. It has `boxes(met, size)`, which may write the next `size` of them itself and tells whether it did.
   template <class T, class EachRows, class Sink>
   static void visit_row_contacts(const EachRows& each_rows, T margin, Sink& sink) {
     const auto apart = [&](std::size_t i) { sink.apart(i); };
     const auto met = [&](const MetPairs<T>& some) { sink.met(some, false); };
     const auto unknown = [&](std::size_t i) { sink.unknown(i); };
+    const auto write = [&](const MetBoxes<T>& some, std::size_t size) { return sink.boxes(some, size); };
     MetBoxes<T> boxes;
     each_rows([&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
-      visit_box_contacts(rows, count, margin, static_cast<std::uint32_t>(first), boxes, apart, met, unknown,
-                         room_of(sink));
+      visit_box_axes(rows, count, margin, static_cast<std::uint32_t>(first), boxes, apart);
+      visit_met_boxes(boxes, false, room_of(sink), met, unknown, write);
     });
-    visit_met_boxes(boxes, true, room_of(sink), met, unknown);
+    visit_met_boxes(boxes, true, room_of(sink), met, unknown, write);
   }
 
  private:
