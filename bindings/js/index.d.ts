@@ -411,7 +411,7 @@ export const traced: {
 /** What one support query of a hull did. Vertices are numbers of those that `hullLayers` lists. */
 export interface SupportTrace {
   vertex: number;
-  /** Every vertex was looked at: hulls of up to 32 vertices, and flat ones. */
+  /** Every vertex was looked at: hulls of up to 64 vertices, and flat ones. */
   scanned: boolean;
   /** Scalar products that were taken, of all layers together. */
   products: number;

@@ -158,7 +158,7 @@ typedef struct GrazeSupportLayer {
 typedef struct GrazeSupportTrace {
   const GrazeSupportLayer *layers;  // the coarsest first, the hull itself last
   size_t layer_count;
-  bool scanned;     // every vertex was looked at: hulls of up to 32 vertices, and flat ones
+  bool scanned;     // every vertex was looked at: hulls of up to 64 vertices, and flat ones
   uint32_t vertex;  // the answer
   size_t products;  // of all layers together
 } GrazeSupportTrace;

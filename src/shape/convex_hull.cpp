@@ -92,7 +92,8 @@ class HighVertices {
   Vec3<T> direction_;
   T level_ = 0;
   bool by_bits_ = false, several_ = false;
-  std::uint32_t top_ = 0, bits_ = 0;
+  std::uint32_t top_ = 0;
+  VertexBits bits_ = 0;
 };
 
 }  // namespace

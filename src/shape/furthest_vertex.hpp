@@ -10,7 +10,16 @@
 
 namespace graze {
 
-static_assert(scan_limit <= 2 * VertexBlock::size && scan_limit <= 32, "two blocks, and a bit a vertex");
+/// Bit i of vertex i.
+using VertexBits = std::uint64_t;
+static_assert(scan_limit <= 64, "a bit a vertex");
+
+/// A hull with so many vertices is scanned in so many blocks: one, two or four, for each of which there is code.
+constexpr std::size_t scan_blocks(std::size_t vertices) {
+  return vertices <= VertexBlock::size ? 1 : vertices <= 2 * VertexBlock::size ? 2 : 4;
+}
+inline constexpr std::size_t most_scan_blocks = scan_blocks(scan_limit);
+static_assert(most_scan_blocks * VertexBlock::size >= scan_limit);
 
 /// Fills a block with so many vertices, or a hull's from number `first` on.
 template <class T>
@@ -25,7 +34,7 @@ template <class T>
 void fill_blocks(HullData<T>& hull) {
   const std::size_t count = hull.vertices.size();
   if (count > scan_limit) return;
-  for (std::size_t first = 0; first < count; first += VertexBlock::size)
+  for (std::size_t first = 0; first < scan_blocks(count) * VertexBlock::size; first += VertexBlock::size)
     fill_block(hull.vertices.data(), count, hull.blocks.emplace_back(), first);
 }
 
@@ -45,8 +54,8 @@ ScannedHull<T> scanned(const HullData<T>& hull) {
 }
 
 struct HighestVertices {
-  std::uint32_t top;   ///< a number
-  std::uint32_t bits;  ///< bit i of vertex i
+  std::uint32_t top;  ///< a number
+  VertexBits bits;
 };
 
 // clang-format off

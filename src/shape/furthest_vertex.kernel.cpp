@@ -14,13 +14,14 @@ template <std::size_t Blocks>
                                                          float below) {
   const Places<Blocks> places(hull.blocks, direction);
   const float most = places.most();
-  const std::uint32_t all = all_vertices(hull);
+  const VertexBits all = all_vertices(hull);
   return {first_of(places.not_less(most) & all), places.not_less(most - below) & all};
 }
 
 }  // namespace
 
 HighestVertices highest_vertices(const ScannedHull<float>& hull, const Vec3<float>& direction, float below) {
+  if (hull.count > 2 * VertexBlock::size) return highest_in<most_scan_blocks>(hull, direction, below);
   return hull.count > VertexBlock::size ? highest_in<2>(hull, direction, below) : highest_in<1>(hull, direction, below);
 }
 

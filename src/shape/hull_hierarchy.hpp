@@ -8,7 +8,7 @@
 namespace graze {
 
 /// Hulls of more vertices than this are climbed, smaller ones scanned.
-inline constexpr std::size_t scan_limit = 32;
+inline constexpr std::size_t scan_limit = 64;
 
 /// Builds the levels of a hull of dimension three whose vertices are `grid`; expected time n log n.
 template <class T>

@@ -59,7 +59,7 @@ inline constexpr float scan_floor = 16 * std::numeric_limits<float>::min();
 #endif
 }
 
-/// The places of the vertices of one or two blocks along a direction.
+/// The places of the vertices of some blocks along a direction.
 template <std::size_t Blocks>
 class Places {
  public:
@@ -77,10 +77,11 @@ class Places {
     return largest(all);
   }
   /// Bit i of vertex i where it is not less than `level`.
-  [[gnu::always_inline]] std::uint32_t not_less(float level) const {
+  [[gnu::always_inline]] VertexBits not_less(float level) const {
     const L low(level);
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < registers; ++i) bits |= Chosen<float>::not_less(along_[i], low).bits() << (i * lanes);
+    VertexBits bits = 0;
+    for (std::size_t i = 0; i < registers; ++i)
+      bits |= VertexBits{Chosen<float>::not_less(along_[i], low).bits()} << (i * lanes);
     return bits;
   }
 
@@ -93,15 +94,14 @@ class Places {
 
 /// The bits of a hull's vertices, without what fills its blocks up.
 template <class T>
-[[gnu::always_inline]] inline std::uint32_t all_vertices(const ScannedHull<T>& hull) {
-  return 0xffffffffu >> (32 - hull.count);
+[[gnu::always_inline]] inline VertexBits all_vertices(const ScannedHull<T>& hull) {
+  return ~VertexBits{0} >> (64 - hull.count);
 }
 
 /// The vertex furthest along `direction` of those whose bits are set in `among`; of equals the first.
 template <class T, class S>
-[[gnu::noinline]] std::uint32_t furthest_among(const ScannedHull<T>& hull, std::uint32_t among,
-                                               const Vec3<S>& direction) {
-  const auto first = [&] { return static_cast<std::uint32_t>(__builtin_ctz(among)); };
+[[gnu::noinline]] std::uint32_t furthest_among(const ScannedHull<T>& hull, VertexBits among, const Vec3<S>& direction) {
+  const auto first = [&] { return static_cast<std::uint32_t>(__builtin_ctzll(among)); };
   const auto along = [&](std::uint32_t v) { return dot(converted<S>(hull.vertices[v]), direction); };
   std::uint32_t best = first();
   S most = along(best);
@@ -115,13 +115,13 @@ template <class T, class S>
   return best;
 }
 
-[[gnu::always_inline]] inline bool several(std::uint32_t bits) { return (bits & (bits - 1)) != 0; }
-[[gnu::always_inline]] inline std::uint32_t first_of(std::uint32_t bits) {
-  return static_cast<std::uint32_t>(__builtin_ctz(bits));
+[[gnu::always_inline]] inline bool several(VertexBits bits) { return (bits & (bits - 1)) != 0; }
+[[gnu::always_inline]] inline std::uint32_t first_of(VertexBits bits) {
+  return static_cast<std::uint32_t>(__builtin_ctzll(bits));
 }
 
 template <std::size_t Blocks, class T, class S>
-[[gnu::always_inline]] inline std::uint32_t highest_of(const ScannedHull<T>& hull, const Vec3<S>& direction) {
+[[gnu::always_inline]] inline VertexBits highest_of(const ScannedHull<T>& hull, const Vec3<S>& direction) {
   const Vec3<float> d = converted<float>(direction);
   const Places<Blocks> places(hull.blocks, d);
   const float slack = scan_slack * hull.extent * max_abs(d) + scan_floor;
@@ -130,13 +130,14 @@ template <std::size_t Blocks, class T, class S>
 }
 /// The bits of the vertices of which rounding does not tell which lies furthest along a direction; most often one.
 template <class T, class S>
-[[gnu::always_inline]] inline std::uint32_t highest(const ScannedHull<T>& hull, const Vec3<S>& direction) {
+[[gnu::always_inline]] inline VertexBits highest(const ScannedHull<T>& hull, const Vec3<S>& direction) {
+  if (hull.count > 2 * VertexBlock::size) return highest_of<most_scan_blocks>(hull, direction);
   return hull.count > VertexBlock::size ? highest_of<2>(hull, direction) : highest_of<1>(hull, direction);
 }
 
 template <class T, class S>
 [[gnu::always_inline]] inline std::uint32_t scan(const ScannedHull<T>& hull, const Vec3<S>& direction) {
-  const std::uint32_t candidates = highest(hull, direction);
+  const VertexBits candidates = highest(hull, direction);
   if (!several(candidates)) [[likely]]
     return first_of(candidates);
   return furthest_among(hull, candidates, direction);

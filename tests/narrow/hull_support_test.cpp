@@ -57,11 +57,26 @@ class HullDifferences : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(HullDifferences, Scalars);
 
+/// A hull of so many points of a sphere, all of which are vertices.
+template <class T>
+Shape<T> round_hull(int count, Random& random) {
+  std::vector<Vec3<T>> points;
+  for (int k = 0; k < count; ++k) points.push_back(converted<T>(normalized(random_vector(random, 1))));
+  return ConvexHull<T>(std::span<const Vec3<T>>(points));
+}
+
 TYPED_TEST(HullDifferences, AreThoseOfTheirCores) {
   using T = TypeParam;
   Random random(1);
-  for (int i = 0; i < 100; ++i) {
-    const TwoHulls<T> two(random, i);
+  // Behind the others hulls of up to 64 vertices, of which one has few where the other has many.
+  const auto two_hulls = [&](int i) {
+    if (i < 100) return TwoHulls<T>(random, i);
+    const Shape<T> first = round_hull<T>(i - 96, random), second = round_hull<T>(164 - i, random);
+    return TwoHulls<T>(first, second, 1.5f, random);
+  };
+  for (int i = 0; i < 160; ++i) {
+    const TwoHulls<T> two = two_hulls(i);
+    EXPECT_TRUE(i < 100 || two.scanned());
     if (!two.scanned()) continue;
     const HullPair<T> pair = two.difference().hulls();
     for (std::size_t k = 0; k < 20; ++k) {
@@ -170,7 +185,8 @@ TYPED_TEST(HullDifferences, AreAsDeepOnLanesWhereThePolytopeGrows) {
   const auto hull = [&] {
     const float wide = uniform(random, 0.02f, 1), high = uniform(random, 0.02f, 1);
     std::vector<Vec3<T>> points;
-    for (int k = 0; k < 32; ++k) {
+    const int count = random() % 2 == 0 ? 32 : 64;
+    for (int k = 0; k < count; ++k) {
       const Vec3f p = normalized(random_vector(random, 1));
       points.push_back(converted<T>(Vec3f{p.x * wide, p.y * high, p.z}));
     }

@@ -207,13 +207,13 @@ TEST(ConvexHull, AgreesWithBruteForceOnSmallSets) {
 template <class T, class S>
 void support_is_the_scan(double scale) {
   Random random(12);
-  for (const std::size_t count : {5u, 16u, 23u, 32u}) {
+  for (const std::size_t count : {5u, 16u, 23u, 32u, 33u, 47u, 48u, 63u, 64u}) {
     std::vector<Vec3<T>> points = ball<T>(count, random, true);
     for (Vec3<T>& p : points) p *= static_cast<T>(scale);
     points.push_back(points[0] * (T(1) + 4 * std::numeric_limits<T>::epsilon()));
     const ConvexHull<T> hull{std::span<const Vec3<T>>(points)};
     const HullData<T>& data = hull.data();
-    if (data.vertices.size() > 32) continue;
+    if (data.vertices.size() > 64) continue;
     std::vector<Vec3<S>> directions;
     for (int i = 0; i < 100; ++i) directions.push_back(converted<S>(random_vector(random, 1)));
     for (const Plane<T>& plane : data.planes) directions.push_back(converted<S>(plane.normal));
@@ -229,7 +229,7 @@ void support_is_the_scan(double scale) {
               const float below = 0.1f * data.extent * static_cast<float>(reach);
               const HighestVertices highest = GRAZE_KERNEL(level, highest_vertices)(scanned(data), d, below);
               EXPECT_EQ(highest.top, expected);
-              for (std::size_t v = 0; v < 32; ++v)
+              for (std::size_t v = 0; v < 64; ++v)
                 EXPECT_EQ(highest.bits >> v & 1,
                           v < data.vertices.size() &&
                               dot(data.vertices[v], d) >= dot(data.vertices[expected], d) - below);

@@ -31,7 +31,7 @@ struct SupportLayer {
 /// The steps of one support query.
 struct SupportTrace {
   std::vector<SupportLayer> layers;  ///< the coarsest first, the hull itself last; of a hull that is scanned it alone
-  bool scanned = false;              ///< every vertex was looked at: hulls of up to 32 vertices, and flat ones
+  bool scanned = false;              ///< every vertex was looked at: hulls of up to 64 vertices, and flat ones
   std::uint32_t vertex = 0;          ///< the answer
   std::size_t products = 0;          ///< how many scalar products of all layers together
 };

@@ -22,7 +22,7 @@ template <class T>
 
 /// Of several vertices of B that may lie least far along a direction; by itself, since it is seldom asked.
 template <class T>
-[[gnu::noinline]] std::uint32_t least_among(const HullPair<T>& hulls, std::uint32_t among, const Vec3d& direction) {
+[[gnu::noinline]] std::uint32_t least_among(const HullPair<T>& hulls, VertexBits among, const Vec3d& direction) {
   return furthest_among(hulls.b, among, transposed_times(hulls.rotation, -direction));
 }
 
@@ -31,7 +31,7 @@ template <class T>
                                                       const Vec3d& direction) {
   const std::uint32_t i = scan(hulls.a, direction);
   const ScannedHull<T> turned{placed.turned, hulls.b.vertices, hulls.b.count, hulls.b.extent};
-  const std::uint32_t candidates = highest(turned, -direction);
+  const VertexBits candidates = highest(turned, -direction);
   const std::uint32_t j = several(candidates) ? least_among(hulls, candidates, direction) : first_of(candidates);
   const Vec3d a = vertex(hulls.a, i), b{placed.x[j], placed.y[j], placed.z[j]};
   return {a, b, b - a};

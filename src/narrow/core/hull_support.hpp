@@ -22,9 +22,9 @@ struct HullPair {
 /// B's vertices in A's frame: queries that read them turn neither a direction nor a point, of which they would wait for
 /// one after the other.
 struct PlacedVertices {
-  static constexpr std::size_t room = 2 * VertexBlock::size;
+  static constexpr std::size_t room = most_scan_blocks * VertexBlock::size;
   alignas(64) double x[room], y[room], z[room];
-  VertexBlock turned[2];  ///< without the translation, rounded
+  VertexBlock turned[most_scan_blocks];  ///< without the translation, rounded
 };
 
 // clang-format off

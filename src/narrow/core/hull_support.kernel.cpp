@@ -51,7 +51,7 @@ template <class T>
 [[gnu::flatten]] void place_vertices(const HullPair<T>& hulls, PlacedVertices& placed) {
   const Mat3<Doubles> rotation = converted<Doubles>(hulls.rotation);
   const Vec3<Doubles> translation = converted<Doubles>(hulls.translation);
-  const std::size_t room = hulls.b.count > VertexBlock::size ? 2 * VertexBlock::size : VertexBlock::size;
+  const std::size_t room = scan_blocks(hulls.b.count) * VertexBlock::size;
   for (std::size_t i = 0; i < room; i += double_lanes) {
     const Vec3<Doubles> turned = rotation * vertices_from(hulls.b, i), at = turned + translation;
     VertexBlock& block = placed.turned[i / VertexBlock::size];

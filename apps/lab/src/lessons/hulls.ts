@@ -117,7 +117,7 @@ export const hulls: Lesson = {
       title: levels > 1 ? "Hulls inside hulls" : "One layer",
       text: levels > 1
         ? "Dobkin and Kirkpatrick take away, again and again, points no two of which are neighbours and none of which has many neighbours. What is left has a hull inside the one before. Each round loses at least a fixed share, so there are few. The library keeps of several rounds one, about a quarter of the next: fewer layers, a few more points to look at in each. The innermost is drawn as a body, the next ones as lines."
-        : "Up to 32 points the library has no hierarchy: it looks at all of them, several side by side in the lanes of the processor. No descent is as fast.",
+        : "Up to 64 points the library has no hierarchy: it looks at all of them, several side by side in the lanes of the processor. No descent is as fast.",
       formula: levels > 1 ? [layers.layers.map((l) => l.vertices.length).join(" -> ")] : undefined,
       numbers: { caption: "Layers, from the coarsest", columns: ["", "points", "edges"], rows: layers.layers.map((l, i) => ({ cells: [named(i, levels), l.vertices.length, l.edges.length / 2], key: `layer-${i}` })) },
       says: `${levels} ${levels > 1 ? "layers" : "layer"} of ${layers.layers.map((l) => many(l.vertices.length)).join(", ")} points.`,
