@@ -44,6 +44,7 @@ if [[ $quick == yes ]]; then
   single_rays=(--rays 20000 --rounds 5)
   casts=(--pairs 500 --largest 10000)
   typed=(--pairs 2000 --rounds 9)
+  compact=(--pairs 4000 --rounds 9)
   compare=(--quick)
 else
   page=bench/RESULTS.md
@@ -57,11 +58,12 @@ else
   single_rays=()
   casts=()
   typed=()
+  compact=()
   compare=()
 fi
 [[ -z $poses ]] || pile+=(--poses "$poses")
 
-steps=11
+steps=12
 step=0
 # run NAME PROGRAM OPTIONS...: its output to $work/NAME.md
 run() {
@@ -84,6 +86,7 @@ run rays rays "${rays[@]}"
 run ray_shapes ray_shapes "${single_rays[@]}"
 run casts casts "${casts[@]}"
 run typed_query typed_query "${typed[@]}"
+run compact_contacts compact_contacts "${compact[@]}"
 run compare compare "${compare[@]}" --brief
 run example example --pairs 1000 --repetitions 3 --only 'box-box overlap' --libraries 'bounds|graze'
 
@@ -171,6 +174,15 @@ One pair at a time, in turns: as two `Shape`s (`graze/query.hpp`), and by caller
 
 TEXT
   cat "$work/typed_query.md"
+  cat <<'TEXT'
+
+## Contacts of a batch, whole and compact
+
+Pairs in arrays of one kind, in turns: whole contacts (`graze/batch_contacts.hpp`), and normals, places and distances
+only (`graze/compact_contacts.hpp`), with the same bits. Contacts up to 0.02 apart; `bytes`: of the answer, a pair.
+
+TEXT
+  cat "$work/compact_contacts.md"
   printf '\n## Every pair of shapes\n\nAll 44 pairs of nine shapes by `bench_compare`, which prints each of them.\n\n'
   cat "$work/compare.md"
 } >"$work/page.md"

@@ -19,8 +19,9 @@ template <class T>
 struct CompactContacts {
   /// Points of contact of one pair that share a normal.
   struct Group {
-    Vec3<T> normal{};                                          ///< unit, from A to B
-    std::uint32_t pair = 0, first_point = 0, point_count = 0;  ///< the pair's place in the batch; the points'
+    Vec3<T> normal{};        ///< unit, from A to B
+    std::uint32_t pair = 0;  ///< its place in the batch
+    std::uint32_t first_point = 0, point_count = 0;
   };
   /// One point of contact, in world space.
   struct Point {
