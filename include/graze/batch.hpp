@@ -111,7 +111,7 @@ GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distanc
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 
-/// Those contacts in few bytes, for callers who want points, normals and distances only.
+/// `contacts` of each pair in few bytes, for callers who want points, normals and distances only.
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, CompactContacts<T>& found);
 

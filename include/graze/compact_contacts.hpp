@@ -28,8 +28,8 @@ struct CompactContacts {
     Vec3<T> position{};  ///< `ContactPoint::position()`
     T distance{};        ///< signed: negative is penetration
   };
-  /// Those of a pair one behind the other. Pairs may come in another order than in the batch, which is a function of
-  /// the batch alone.
+  /// Manifolds of a pair stand one behind the other. Pairs may come in another order than in the batch, which is a
+  /// function of the batch alone.
   std::vector<Group> manifolds;
   std::vector<Point> points;  ///< those of a manifold one behind the other
 

@@ -28,8 +28,8 @@
 
 namespace graze {
 
-/// Makes an array at least so long. Memory is taken for twice as many, but records are made only when they are near to be
-/// written: they are in the cache then.
+/// Makes an array at least so long. Memory is taken for twice as many, but records are made only when they are near to
+/// be written: they are in the cache then.
 template <class Array>
 void make_room(Array& array, std::size_t size) {
   if (array.size() >= size) return;
@@ -73,8 +73,8 @@ class OneByOne {
   Manifolds<T> manifolds_;
 };
 
-/// The sink (`narrow/batch/contact_sink.hpp`) that hands a batch's contacts to a writer; `place(i)` is the place in the batch of
-/// the i-th pair that kernels are asked about.
+/// The sink (`narrow/batch/contact_sink.hpp`) that hands a batch's contacts to a writer; `place(i)` is the place in the
+/// batch of the i-th pair that kernels are asked about.
 template <class T, class Writer, class Place>
 class BatchSink {
  public:

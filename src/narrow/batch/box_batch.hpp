@@ -200,8 +200,8 @@ void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart&
   }
   visit_met_boxes(boxes, true, room, met, unknown);
 }
-/// And about plain boxes in rows, of which up to `MetBoxes::most` are asked about at a time, the first of them pair
-/// number `number`. What is left of them waits in `boxes` for `visit_met_boxes`.
+/// Asks the kernel for the axes of plain boxes in rows, at most `MetBoxes::most` at a time, of which the first is pair
+/// number `number`. Those within the margin wait in `boxes` for `visit_met_boxes`.
 template <class T, class Apart>
 void visit_box_axes(const PairRows<T>& rows, std::size_t count, T margin, std::uint32_t number, MetBoxes<T>& boxes,
                     const Apart& apart) {

@@ -163,7 +163,7 @@ GRAZE_DECLARE_KERNEL(
     /// The points of the next `count` <= `block_pairs` of these. Behind them there are numbers for the lanes that stay
     /// empty.
     template <class T> void box_points(const MetBoxes<T>& met, std::size_t count, PointBlock<T>& block);
-    /// The same in few bytes.
+    /// Their points in few bytes.
     template <class T> void box_compact_points(const MetBoxes<T>& met, std::size_t count, CompactBlock<T>& block);
     /// The axes of pairs of a box and a triangle, and the points of up to `block_pairs` along them.
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleReferenceAxis<T>* axes);

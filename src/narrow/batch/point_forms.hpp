@@ -102,7 +102,7 @@ template <class T, class Features>
   }
 }
 
-/// In few bytes. Points between the two of all but balls are in the middle (`ContactPoint::weight`).
+/// Points in few bytes. Those between the two of all but balls are in the middle (`ContactPoint::weight`).
 template <class T, class Features>
 [[gnu::always_inline]] inline void put_rows(const LanePoints<T>& points, const Features&,
                                             typename CompactContacts<T>::Point* to) {
@@ -124,7 +124,7 @@ struct LaneManifolds {
   typename Lanes<T>::BitVector first_point, point_count;
 };
 
-/// Writes a row for each lane of `chosen`, behind those that a block has; the first lane is the block's `first`-th pair.
+/// Writes a row for each lane of `chosen`, behind those that a block has; the first lane is its `first`-th pair.
 template <class T>
 [[gnu::always_inline]] inline void put_manifolds(const LaneManifolds<T>& m, std::uint32_t chosen, std::size_t,
                                                  PointBlock<T>& block) {
@@ -146,7 +146,7 @@ template <class T>
                  static_cast<std::uint32_t>(m.point_count[i])};
   }
 }
-/// In few bytes; the pairs have the numbers `block.pairs`.
+/// Manifolds in few bytes; the pairs have the numbers `block.pairs`.
 template <class T>
 [[gnu::always_inline]] inline void put_manifolds(const LaneManifolds<T>& m, std::uint32_t chosen, std::size_t first,
                                                  CompactBlock<T>& block) {
