@@ -1,6 +1,7 @@
 #include "plane/joined.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "plane/manifold.hpp"
 #include "plane/on_outline.hpp"
@@ -135,7 +136,7 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
   Core<T> a = pair.a, b = pair.b;
   if (!faces(a, b, pair, b_in_a)) return;
   const std::optional<Nearest> settled = nearest_on_outlines(a, b, b_in_a, found, pair.size());
-  if (!settled) return;
+  if (!settled) return keep_in_line(a, b, pair, b_in_a, margin);
   Manifold<double> m = manifold(a, b, b_in_a, *settled, margin);
   if (m.points.empty()) return;
   const bool own = settled->a.point == found.a.point && settled->b.point == found.b.point;
@@ -144,7 +145,7 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
                        beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)));
   name_on_wholes(m, a, b);
   const Manifold<T> placed = in_world<T>(m, pair);
-  if (!beside) return join(placed, static_cast<T>(double(tolerance<T>) * size_));
+  if (!beside) return join(placed);
   if (!instead_ || placed.points[0].distance > instead_->points[0].distance) instead_ = placed;
 }
 
@@ -163,9 +164,45 @@ void Joined<T>::stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Ne
   deepest_ = distance;
 }
 
+/// Keeps what two sides that face each other have along a normal of an outline. A side that leans a little over pieces
+/// in line is nearest to one of them, and to the others where they begin, along a normal that is not theirs; but it may
+/// rest on them all.
+template <class T>
+void Joined<T>::keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a,
+                             double margin) {
+  if (a.kind != CoreKind::polygon || b.kind != CoreKind::polygon) return;
+  const std::optional<Nearest> along = least_overlap_on_outlines(a, b, b_in_a);
+  if (!along) return;
+  Manifold<double> m = facing_manifold(a, b, b_in_a, *along, margin);
+  if (m.points.empty()) return;
+  name_on_wholes(m, a, b);
+  in_line_.push_back(InLine(in_world<T>(m, pair)));
+}
+
 /// Adds a manifold to the one that it goes on from, or as one of its own.
 template <class T>
-void Joined<T>::join(const Manifold<T>& manifold, T tolerated) {
+void Joined<T>::join(const Manifold<T>& manifold) {
+  if (!extend(manifold)) out_.push_back(manifold);
+}
+
+/// Adds what pieces in line have to the manifolds beside them. Each of them may be what the next one is beside.
+template <class T>
+void Joined<T>::extend_in_line() {
+  for (bool more = true; more;) {
+    more = false;
+    std::size_t left_over = 0;
+    for (std::size_t i = 0; i < in_line_.size(); ++i)
+      if (extend(in_line_[i].manifold()))
+        more = true;
+      else
+        in_line_[left_over++] = in_line_[i];
+    in_line_.truncate(left_over);
+  }
+}
+
+/// Adds a manifold to the one that it goes on from, if there is one.
+template <class T>
+bool Joined<T>::extend(const Manifold<T>& manifold) {
   for (std::size_t i = first_; i < out_.size(); ++i) {
     Manifold<T>& there = out_[i];
     if (!(dot(there.normal, manifold.normal) > T(0)) || std::abs(cross(there.normal, manifold.normal)) > tolerance<T>)
@@ -178,20 +215,24 @@ void Joined<T>::join(const Manifold<T>& manifold, T tolerated) {
     const auto bounds_there = std::minmax_element(all.begin(), last, by_place);
     const T low = at(*bounds_there.first), high = at(*bounds_there.second);
     const auto own = std::minmax_element(manifold.points.begin(), manifold.points.end(), by_place);
-    if (at(*own.first) > high + tolerated || at(*own.second) < low - tolerated) continue;
+    if (at(*own.first) > high + tolerated() || at(*own.second) < low - tolerated()) continue;
     last = std::copy(manifold.points.begin(), manifold.points.end(), last);
     const auto ends = std::minmax_element(all.begin(), last, by_place);
     const ContactPoint<T> first = *ends.first, second = *ends.second;
     there.points.clear();
+    // Of several pieces the first gives its name, whichever of them was nearest.
+    if (std::pair(manifold.piece_a, manifold.piece_b) < std::pair(there.piece_a, there.piece_b))
+      there.piece_a = manifold.piece_a, there.piece_b = manifold.piece_b;
     there.points.push_back(first);
-    if (at(second) - at(first) > tolerated) there.points.push_back(second);
-    return;
+    if (at(second) - at(first) > tolerated()) there.points.push_back(second);
+    return true;
   }
-  out_.push_back(manifold);
+  return false;
 }
 
 template <class T>
 bool Joined<T>::finish() {
+  extend_in_line();
   if (instead_ && out_.size() == first_) out_.push_back(*instead_);
   return out_.size() > first_;
 }

@@ -2,13 +2,16 @@
 //
 // Guarantee: pieces give contacts only along normals of their outlines; points of pieces side by side that share a
 // normal are one manifold of at most two points, so that seams leave no trace. Its features name vertices of outlines.
-// What overlaps has a contact, but for what lies behind a one-sided chain.
+// What overlaps has a contact, but for what lies behind a one-sided chain. A side that lies over several pieces in line
+// is held by all of them, however it leans.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "graze/plane/query.hpp"
+#include "graze/small_vector.hpp"
 #include "plane/leaves.hpp"
 #include "plane/nearest.hpp"
 
@@ -58,9 +61,32 @@ class Joined {
     Pose2d pose{};
     bool left = false;
   };
+  /// A manifold, as numbers that take no memory of their own.
+  struct InLine {
+    Vec2<T> normal;
+    std::uint32_t piece_a, piece_b;
+    std::size_t count;
+    ContactPoint<T> points[2];
+
+    explicit InLine(const Manifold<T>& m)
+        : normal(m.normal), piece_a(m.piece_a), piece_b(m.piece_b), count(m.points.size()) {
+      std::copy(m.points.begin(), m.points.end(), points);
+    }
+    InLine() = default;
+    Manifold<T> manifold() const {
+      Manifold<T> m;
+      m.normal = normal, m.piece_a = piece_a, m.piece_b = piece_b;
+      for (std::size_t i = 0; i < count; ++i) m.points.push_back(points[i]);
+      return m;
+    }
+  };
   bool face(Core<T>& segment, const Pose2d& pose, const Vec2d& other_center, ChainSide& known) const;
   bool faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a);
-  void join(const Manifold<T>& manifold, T tolerated);
+  void keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a, double margin);
+  void join(const Manifold<T>& manifold);
+  bool extend(const Manifold<T>& manifold);
+  void extend_in_line();
+  T tolerated() const { return static_cast<T>(double(tolerance<T>) * size_); }
 
   const Shape<T>&a_, &b_;
   Pose2d pose_a_, pose_b_;
@@ -68,6 +94,8 @@ class Joined {
   std::size_t first_;
   ChainSide side_a_, side_b_;
   double size_ = 0;
+  /// Of pieces whose nearest points are a neighbour's: what their sides would give along their own normals.
+  SmallVector<InLine, 4> in_line_;
   /// What is told where nothing else is: of the first visit the least deep of the contacts whose points lie beside
   /// their edges, of the second the deepest.
   std::optional<Manifold<T>> instead_;

@@ -320,6 +320,19 @@ Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in
   return out;
 }
 
+template <class T>
+Manifold<double> facing_manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found,
+                                 double margin) {
+  Manifold<double> out;
+  out.normal = found.normal;
+  if (a.count > 1 && b.count > 1) add_facing_edges(out, a, b, b_in_a, found, margin);
+  return out;
+}
+
+template Manifold<double> facing_manifold(const Core<float>&, const Core<float>&, const Pose2d&, const Nearest&,
+                                          double);
+template Manifold<double> facing_manifold(const Core<double>&, const Core<double>&, const Pose2d&, const Nearest&,
+                                          double);
 template Manifold<double> manifold(const Core<float>&, const Core<float>&, const Pose2d&, const Nearest&, double);
 template Manifold<double> manifold(const Core<double>&, const Core<double>&, const Pose2d&, const Nearest&, double);
 
