@@ -1,5 +1,6 @@
 #include "graze/plane/mass.hpp"
 
+#include "plane/angles.hpp"
 #include "plane/leaves.hpp"
 
 namespace graze::plane {
@@ -41,7 +42,7 @@ Moments sector(const Vec2d& corner, const Vec2d& middle, double angle, double ra
   if (!(angle > 0)) return {};
   const double area = angle * radius * radius / 2;
   // The centre of a sector, and its polar moment about the corner less what the centre's distance makes of it.
-  const double away = 4 * radius * std::sin(angle / 2) / (3 * angle), own = area * radius * radius / 2;
+  const double away = 4 * radius * rotation_of(angle / 2).sine / (3 * angle), own = area * radius * radius / 2;
   return at(corner + middle * away, area, own - area * away * away);
 }
 
@@ -52,8 +53,8 @@ Moments sampled(const Core<T>& core) {
   Moments out;
   Vec2d before{};
   for (int i = 0; i <= count; ++i) {
-    const double angle = 2 * pi * (i % count) / count;
-    const Vec2d n{std::cos(angle), std::sin(angle)}, p = support(core, n).point + n * core.radius;
+    const Rot2d turn = rotation_of(2 * pi * (i % count) / count);
+    const Vec2d n{turn.cosine, turn.sine}, p = support(core, n).point + n * core.radius;
     if (i > 0) out += triangle(before, p);
     before = p;
   }
@@ -83,7 +84,7 @@ Moments inside(const std::vector<Vec2d>& corners) {
 
 /// The rounding about a vertex that the edges with these normals meet in.
 Moments rounded_corner(const Vec2d& corner, const Vec2d& before, const Vec2d& after, double radius) {
-  return sector(corner, normalized(before + after, left(before)), std::atan2(cross(before, after), dot(before, after)),
+  return sector(corner, normalized(before + after, left(before)), angle_of({dot(before, after), cross(before, after)}),
                 radius);
 }
 
@@ -129,7 +130,7 @@ Moments of_tapered(const Core<T>& core) {
   Moments out;
   const Vec2d corners[] = {low, high, {0, h}, {-high.x, high.y}, {-low.x, low.y}, {0, -h}};
   for (std::size_t i = 0; i < 6; ++i) out += triangle(corners[i], corners[(i + 1) % 6]);
-  const double tilt = std::asin(s);
+  const double tilt = angle_of({c, s});
   out += sector({0, h}, {0, 1}, pi - 2 * tilt, top);
   out += sector({0, -h}, {0, -1}, pi + 2 * tilt, bottom);
   return out;

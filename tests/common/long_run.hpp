@@ -4,12 +4,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <random>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "common/hash.hpp"
 #include "graze/batch.hpp"
 
 namespace graze::testing {
@@ -22,25 +22,6 @@ template <>
 inline constexpr std::uint64_t golden_bits<float> = 18162578882953321326u;
 template <>
 inline constexpr std::uint64_t golden_bits<double> = 11397758317102466814u;
-
-/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of the bytes of numbers.
-class Hash {
- public:
-  template <class N>
-  void add(const N& value) {
-    unsigned char bytes[sizeof(N)];
-    std::memcpy(bytes, &value, sizeof(N));
-    for (const unsigned char byte : bytes) value_ = (value_ ^ byte) * 0x100000001b3u;
-  }
-  template <class T>
-  void add(const Vec3<T>& v) {
-    add(v.x), add(v.y), add(v.z);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
 
 /// Boxes, spheres and capsules at the same thousand poses, and pairs of their places.
 template <class T>

@@ -4,21 +4,28 @@
 #include <cstdio>
 
 #include "common/long_run.hpp"
+#include "common/plane_run.hpp"
 
 namespace {
 
-template <class T>
-bool golden(const char* scalar) {
-  using namespace graze::testing;
-  const std::uint64_t found = hash_of_a_long_run<T>();
-  const bool same = found == golden_bits<T>;
-  std::printf("%s: %" PRIu64 "%s\n", scalar, found, same ? "" : ", which is not the golden number");
+bool golden(const char* name, std::uint64_t found, std::uint64_t expected) {
+  const bool same = found == expected;
+  std::printf("%s: %" PRIu64 "%s\n", name, found, same ? "" : ", which is not the golden number");
   return same;
+}
+
+template <class T>
+bool golden(const char* scalar, const char* in_the_plane) {
+  using namespace graze::testing;
+  const bool space = golden(scalar, hash_of_a_long_run<T>(), golden_bits<T>);
+  const bool plane = golden(in_the_plane, hash_of_a_plane_run<T>(), golden_plane_bits<T>);
+  return space && plane;
 }
 
 }  // namespace
 
 int main() {
-  const bool in_float = golden<float>("float"), in_double = golden<double>("double");
+  const bool in_float = golden<float>("float", "float, the plane"),
+             in_double = golden<double>("double", "double, the plane");
   return in_float && in_double ? 0 : 1;
 }
