@@ -107,6 +107,9 @@ bool beside_edge(const Core<T>& core, std::uint32_t feature, const Vec2d& point)
   return at < 0 || at > length_squared(core.edge(i));
 }
 
+/// Further off than this, in radians, contacts are no longer taken for the same.
+constexpr double most_doubt = 0x1p-4;
+
 }  // namespace
 
 /// Turns a chain's segment to the side that the other body is on. False where that side gives no contacts.
@@ -145,7 +148,13 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
                        beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)));
   name_on_wholes(m, a, b);
   const Manifold<T> placed = in_world<T>(m, pair);
-  if (!beside) return join(placed);
+  if (!beside) {
+    const bool curved = a.kind != CoreKind::polygon || b.kind != CoreKind::polygon;
+    const Doubt off = curved ? doubt(a, b, b_in_a, *settled, pair.size()) : Doubt{};
+    if (off.taken == 0) return join(placed);
+    off_ = greatest(off_, least(off.possible, most_doubt));
+    return keep_doubtful(placed, off.taken);
+  }
   if (!instead_ || placed.points[0].distance > instead_->points[0].distance) instead_ = placed;
 }
 
@@ -200,6 +209,33 @@ void Joined<T>::extend_in_line() {
   }
 }
 
+template <class T>
+void Joined<T>::keep_doubtful(const Manifold<T>& manifold, double taken) {
+  InLine doubtful(manifold);
+  doubtful.doubt = taken;
+  doubtful_.push_back(doubtful);
+  for (std::size_t i = doubtful_.size() - 1; i > 0 && doubtful_[i].doubt < doubtful_[i - 1].doubt; --i)
+    std::swap(doubtful_[i], doubtful_[i - 1]);
+}
+
+/// Adds doubtful contacts, but for those that are another one within what their normals may be off.
+template <class T>
+void Joined<T>::join_doubtful() {
+  const auto off = static_cast<T>(off_), near = off * static_cast<T>(size_) + tolerated();
+  for (const InLine& doubtful : doubtful_) {
+    const Manifold<T> manifold = doubtful.manifold();
+    const auto is_known = [&](const Manifold<T>& there) {
+      if (!(length(there.normal - manifold.normal) <= off)) return false;
+      return std::all_of(manifold.points.begin(), manifold.points.end(), [&](const ContactPoint<T>& p) {
+        return std::any_of(there.points.begin(), there.points.end(),
+                           [&](const ContactPoint<T>& q) { return length(p.a - q.a) <= near; });
+      });
+    };
+    if (std::none_of(out_.begin() + static_cast<std::ptrdiff_t>(first_), out_.end(), is_known)) join(manifold);
+  }
+  doubtful_.clear();
+}
+
 /// Adds a manifold to the one that it goes on from, if there is one.
 template <class T>
 bool Joined<T>::extend(const Manifold<T>& manifold) {
@@ -232,6 +268,7 @@ bool Joined<T>::extend(const Manifold<T>& manifold) {
 
 template <class T>
 bool Joined<T>::finish() {
+  join_doubtful();
   extend_in_line();
   if (instead_ && out_.size() == first_) out_.push_back(*instead_);
   return out_.size() > first_;

@@ -67,6 +67,7 @@ class Joined {
     std::uint32_t piece_a, piece_b;
     std::size_t count;
     ContactPoint<T> points[2];
+    double doubt = 0;  ///< by how much its normal was taken as off
 
     explicit InLine(const Manifold<T>& m)
         : normal(m.normal), piece_a(m.piece_a), piece_b(m.piece_b), count(m.points.size()) {
@@ -86,6 +87,8 @@ class Joined {
   void join(const Manifold<T>& manifold);
   bool extend(const Manifold<T>& manifold);
   void extend_in_line();
+  void keep_doubtful(const Manifold<T>& manifold, double taken);
+  void join_doubtful();
   T tolerated() const { return static_cast<T>(double(tolerance<T>) * size_); }
 
   const Shape<T>&a_, &b_;
@@ -96,6 +99,10 @@ class Joined {
   double size_ = 0;
   /// Of pieces whose nearest points are a neighbour's: what their sides would give along their own normals.
   SmallVector<InLine, 4> in_line_;
+  /// Contacts of curved pieces whose normals, searched for, belong to a piece by what the search may be off, `off_` at
+  /// most, the surest first: they may be the contact that a neighbour has exactly.
+  SmallVector<InLine, 4> doubtful_;
+  double off_ = 0;
   /// What is told where nothing else is: of the first visit the least deep of the contacts whose points lie beside
   /// their edges, of the second the deepest.
   std::optional<Manifold<T>> instead_;

@@ -56,7 +56,7 @@ NearestEdge nearest_seen(const DifferenceEdge& furthest, DifferenceOutline<T>& o
     at = forward ? outline.after(at) : outline.before(at);
     if (!outline.known() || !(cross(at.start, at.edge) < 0)) return best;
     const NearestEdge next = nearest_on(at);
-    if (next.squared < best.squared || (next.squared == best.squared && earlier(at, best.edge))) best = next;
+    if (nearer(next, best) || (!nearer(best, next) && earlier(at, best.edge))) best = next;
     if (forward ? next.parameter < 1 - beside_end : next.parameter > beside_end) return best;
   }
 }

@@ -36,6 +36,19 @@ inline NearestEdge nearest_on(const DifferenceEdge& e) {
   return {e, t, length_squared(point_on(e, t))};
 }
 
+/// Squares of distances that may be the same one, relative to it: of two products, a sum and what was subtracted before.
+inline constexpr double same_square = 32 * std::numeric_limits<double>::epsilon();
+
+/// Whether an edge has a nearer point than another. A foot within an edge goes before an end that is as far up to
+/// rounding: where the foot is near that end, squares of distances tell the two apart by half of their digits only, and
+/// a normal from the end would be off by as much.
+inline bool nearer(const NearestEdge& e, const NearestEdge& than) {
+  const auto inner = [](const NearestEdge& edge) { return edge.parameter > 0 && edge.parameter < 1; };
+  const bool same = e.squared <= than.squared * (1 + same_square) && than.squared <= e.squared * (1 + same_square);
+  if (same && inner(e) != inner(than)) return inner(e);
+  return e.squared < than.squared;
+}
+
 /// The height of the origin below an edge, seen from inside.
 inline double height_below(const DifferenceEdge& e) { return cross(e.start, e.edge) / length(e.edge); }
 

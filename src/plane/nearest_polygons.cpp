@@ -12,7 +12,7 @@ namespace {
 
 void offer(NearestEdge& best, const DifferenceEdge& e) {
   const NearestEdge on_edge = nearest_on(e);
-  if (on_edge.squared < best.squared) best = on_edge;
+  if (nearer(on_edge, best)) best = on_edge;
 }
 
 }  // namespace

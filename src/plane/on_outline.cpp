@@ -24,14 +24,19 @@ std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature, const Vec2d&
   return best;
 }
 
+/// How far the normal of nearest points may be from the true one where the points are right within the rounding of the
+/// sizes and of what lies between the bodies, as those of polygons are.
+double normal_rounding(const Pose2d& b_in_a, const Nearest& found, double size) {
+  const double apart = std::abs(found.distance);
+  if (!(apart > 0)) return 1;
+  return greatest(unit_rounding, unit_rounding * (size + length(b_in_a.translation)) / apart);
+}
+
 /// How far the normal of nearest points may be from the true one.
 template <class T>
 double normal_error(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
-  const double apart = std::abs(found.distance);
+  const double apart = std::abs(found.distance), of_points = normal_rounding(b_in_a, found, size);
   if (!(apart > 0)) return 1;
-  // Of polygons the points are right within the rounding of the sizes and of what lies between the bodies.
-  const double rounding = unit_rounding * (size + length(b_in_a.translation));
-  const double of_points = greatest(unit_rounding, rounding / apart);
   if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) return of_points;
   // Of a curved core the distance is right within `error`. The point v that was found and the nearest one w of a convex
   // set make no acute angle at w, so |v - w|^2 <= v^2 - w^2 <= 2 |v| error, and seen from the origin they are no
@@ -100,18 +105,34 @@ struct Axis {
   Nearest points{};
 };
 
-}  // namespace
-
+/// Whether the normal, known to within `off`, belongs to both outlines.
 template <class T>
-bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
-  if (!a.outline && !b.outline) return true;
-  const double off = normal_error(a, b, b_in_a, found, size);
+bool on_outlines_within(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double off) {
   const bool searched = a.kind != CoreKind::polygon || b.kind != CoreKind::polygon;
   const auto has_normal_at = [&](const Core<T>& core, std::uint32_t feature, const Vec2d& n) {
     return feature_has_normal(core, feature, n, off) || (searched && beside_has_normal(core, feature, n, off));
   };
   return has_normal_at(a, found.a.feature, found.normal) &&
          has_normal_at(b, found.b.feature, inverse_rotate(b_in_a.rotation, -found.normal));
+}
+
+}  // namespace
+
+template <class T>
+bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
+  if (!a.outline && !b.outline) return true;
+  return on_outlines_within(a, b, b_in_a, found, normal_error(a, b, b_in_a, found, size));
+}
+
+template <class T>
+Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
+  const double rounding = normal_rounding(b_in_a, found, size), possible = normal_error(a, b, b_in_a, found, size);
+  if (on_outlines_within(a, b, b_in_a, found, rounding)) return {0, possible};
+  // To within a factor, which is enough for an order.
+  constexpr double step = 1.0 / 8;
+  double taken = possible;
+  while (taken > rounding && on_outlines_within(a, b, b_in_a, found, taken * step)) taken *= step;
+  return {taken, possible};
 }
 
 template <class T>
@@ -185,6 +206,7 @@ Nearest way_out(const Core<T>& piece, const Vec2d& inside) {
 
 #define GRAZE_PLANE_OUTLINES(T)                                                                                        \
   template bool on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, double);                    \
+  template Doubt doubt(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, double);                         \
   template std::optional<Nearest> least_overlap_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&);            \
   template std::optional<Nearest> nearest_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&,   \
                                                       double);                                                         \

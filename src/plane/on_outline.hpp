@@ -16,6 +16,14 @@ namespace graze::plane {
 template <class T>
 bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size);
 
+/// How sure such a normal is: by how much it has to be taken as off for it to belong to the outlines, zero where its
+/// rounding is enough, and by how much it may be off. Of polygons both are rounding.
+struct Doubt {
+  double taken = 0, possible = 0;
+};
+template <class T>
+Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size);
+
 /// Of two cores that overlap: the axis of least overlap among the normals that belong to the outlines. The normals of
 /// edges beside the pieces take part, so that a piece gives way where its neighbour is less deep. Nothing where the
 /// pieces have no such axis.

@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 4507841962763875546u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 5025985407086491443u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 9696040634795852422u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 4459826173889732744u;
 
 }  // namespace graze::testing
 
