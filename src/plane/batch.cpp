@@ -55,7 +55,7 @@ void append_alone(const Batch<T>& batch, std::size_t i, T margin, Manifolds<T>& 
 /// Appends the contacts of a block's pairs, given as rows; `pairs` are those of the batch. Which points there are
 /// cannot be foreseen, so all are written, the next one over those that there are not.
 template <class T>
-void append_block(const PairBlock<T>& block, const ContactColumns<block_pairs>& found, const ContactRow<T>* rows,
+void append_block(const PairBlock& block, const ContactColumns<block_pairs>& found, const ContactRow<T>* rows,
                   BatchContacts<T>& to, typename BatchContacts<T>::Pair* pairs) {
   std::size_t manifolds = to.manifolds.size(), points = to.points.size();
   // Room for all, of which the rest is given back.
@@ -81,7 +81,6 @@ void append_block(const PairBlock<T>& block, const ContactColumns<block_pairs>& 
 template <class T>
 void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T margin, BatchContacts<T>& to,
                   typename BatchContacts<T>::Pair* pairs) {
-  const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
   PairQueues<T> queues;
   const StoreKernels<T>& store = GRAZE_KERNEL(chosen_isa(), plane_store_kernels)().template of<T>();
   ContactColumns<block_pairs> found{};
@@ -92,8 +91,8 @@ void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T m
   const auto alone = [&](std::size_t i) { append_alone(batch, i, margin, manifolds, to, pairs[i]); };
   queues.visit(
       batch, begin, end,
-      [&](const PairBlock<T>& block) {
-        kernels[block.entry].contacts(block.columns, block.count, margins, found);
+      [&](const PairBlock& block) {
+        block.contacts(margins, found);
         store.contacts(found, block.count, block.turned, rows);
         append_block(block, found, rows, to, pairs);
         for (std::size_t k = 0; k < block.count; ++k)
@@ -127,7 +126,6 @@ Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor) {
   touch.resize(batch.size());
-  const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
   const auto alone = [&](std::size_t i) {
     touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
   };
@@ -136,8 +134,8 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* 
     OverlapColumns<block_pairs> found;
     queues.visit(
         batch, begin, end,
-        [&](const PairBlock<T>& block) {
-          kernels[block.entry].overlaps(block.columns, block.count, found);
+        [&](const PairBlock& block) {
+          block.overlaps(found);
           for (std::size_t k = 0; k < block.count; ++k)
             if (found.known[k] != 0)
               touch[block.place[k]] = found.overlap[k] != 0 ? 1 : 0;
@@ -151,7 +149,6 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* 
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor) {
   distances.resize(batch.size());
-  const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
   const StoreKernels<T>& store = GRAZE_KERNEL(chosen_isa(), plane_store_kernels)().template of<T>();
   const auto alone = [&](std::size_t i) {
     distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
@@ -162,8 +159,8 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Execut
     Distance<T> rows[block_pairs];
     queues.visit(
         batch, begin, end,
-        [&](const PairBlock<T>& block) {
-          kernels[block.entry].distances(block.columns, block.count, found);
+        [&](const PairBlock& block) {
+          block.distances(found);
           store.distances(found, block.count, block.turned, rows);
           for (std::size_t k = 0; k < block.count; ++k)
             if (found.known[k] != 0)

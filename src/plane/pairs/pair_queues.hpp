@@ -1,13 +1,14 @@
 // The pairs of a batch, gathered by the entry of the list that answers for them.
 //
-// Guarantee: visits every pair once, in blocks of one entry and two kinds of shapes, loaded as columns; those that no
-// entry takes one by one.
+// Guarantee: visits every pair once, in blocks of one entry and two kinds of shapes, or of polygons of few vertices,
+// loaded as columns; those that no kernel takes one by one.
 #pragma once
 
 #include <algorithm>
 
 #include "graze/plane/batch.hpp"
 #include "plane/pairs/load_kernels.hpp"
+#include "plane/pairs/polygon_queue.hpp"
 
 namespace graze::plane {
 
@@ -22,19 +23,33 @@ struct PairQueue {
   bool rounded = false;  ///< whether any of them is
 };
 
-/// A block of pairs of one entry.
-template <class T>
+/// A block of pairs of one entry, or of polygons without one.
 struct PairBlock {
-  std::size_t entry, count;
-  const PairColumns<block_pairs>& columns;
+  std::size_t count;
   const std::uint32_t* place;  ///< of each in the batch
   bool turned;                 ///< whether their shapes are taken the other way round
+  const PairKernels* kernels;  ///< of the entry
+  const PairColumns<block_pairs>* columns;
+  const PolygonBlock* polygons;
+
+  void overlaps(OverlapColumns<block_pairs>& found) const {
+    polygons ? polygon_kernels().overlaps(*polygons, count, found) : kernels->overlaps(*columns, count, found);
+  }
+  void distances(DistanceColumns<block_pairs>& found) const {
+    polygons ? polygon_kernels().distances(*polygons, count, found) : kernels->distances(*columns, count, found);
+  }
+  void contacts(const double (&margins)[block_pairs], ContactColumns<block_pairs>& found) const {
+    polygons ? polygon_kernels().contacts(*polygons, count, margins, found)
+             : kernels->contacts(*columns, count, margins, found);
+  }
 };
 
 template <class T>
 class PairQueues {
  public:
-  PairQueues() : load_(GRAZE_KERNEL(chosen_isa(), plane_load_kernels)().template of<T>()) {}
+  PairQueues()
+      : kernels_(GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)()),
+        load_(GRAZE_KERNEL(chosen_isa(), plane_load_kernels)().template of<T>()) {}
 
   /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`.
   template <class Block, class Alone>
@@ -45,7 +60,10 @@ class PairQueues {
       const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
       const std::optional<PairEntry>& entry = KindTable<T>::at(kind_a, kind_b);
       if (!entry || !accepts(a, p.a, kind_a) || !accepts(b, p.b, kind_b)) {
-        alone(i);
+        if (entry || !polygons_.take(batch, i))
+          alone(i);
+        else if (polygons_.count() == block_pairs)
+          run_polygons(block);
         continue;
       }
       PairQueue<T>& queue = queues_[queue_of(kind_a, kind_b)];
@@ -64,6 +82,7 @@ class PairQueues {
       for (std::size_t kb = 0; kb < kinds; ++kb)
         if (slot_of[ka] < slots && slot_of[kb] < slots)
           if (PairQueue<T>& queue = queues_[queue_of(ka, kb)]; queue.count > 0) run(ka, kb, queue, block);
+    if (polygons_.count() > 0) run_polygons(block);
   }
 
  private:
@@ -117,15 +136,23 @@ class PairQueues {
       add_rounding(queue.rounding_a, count, a);
       add_rounding(queue.rounding_b, count, b);
     }
-    block(PairBlock<T>{entry.place, count, columns_, queue.place, entry.turned});
+    block(PairBlock{count, queue.place, entry.turned, &kernels_[entry.place], &columns_, nullptr});
     queue.count = 0;
     queue.rounded = false;
+  }
+
+  template <class Block>
+  void run_polygons(const Block& block) {
+    const std::size_t count = polygons_.count();
+    block(PairBlock{count, polygons_.place(), false, nullptr, nullptr, &polygons_.load(load_)});
   }
 
   /// As many lanes as a register of any machine has.
   static constexpr std::size_t most_lanes = 16;
 
+  const PairKernels* const kernels_;
   const LoadKernels<T>& load_;
+  PolygonQueue<T> polygons_;
   PairQueue<T> queues_[slots * slots];
   PairColumns<block_pairs> columns_{};
 };
