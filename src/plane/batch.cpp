@@ -90,7 +90,7 @@ void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T m
   Manifolds<T> manifolds;
   const auto alone = [&](std::size_t i) { append_alone(batch, i, margin, manifolds, to, pairs[i]); };
   queues.visit(
-      batch, begin, end,
+      batch, begin, end, polygon_kernels().contacts_pay,
       [&](const PairBlock& block) {
         block.contacts(margins, found);
         store.contacts(found, block.count, block.turned, rows);
@@ -133,7 +133,7 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* 
     PairQueues<T> queues;
     OverlapColumns<block_pairs> found;
     queues.visit(
-        batch, begin, end,
+        batch, begin, end, false,
         [&](const PairBlock& block) {
           block.overlaps(found);
           for (std::size_t k = 0; k < block.count; ++k)
@@ -158,7 +158,7 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Execut
     DistanceColumns<block_pairs> found;
     Distance<T> rows[block_pairs];
     queues.visit(
-        batch, begin, end,
+        batch, begin, end, polygon_kernels().distances_pay,
         [&](const PairBlock& block) {
           block.distances(found);
           store.distances(found, block.count, block.turned, rows);

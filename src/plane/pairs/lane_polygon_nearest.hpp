@@ -38,12 +38,10 @@ struct LaneLeastEdge {
     edge = select(better, e, edge);
     vertex = select(better, from, vertex);
   }
-  /// The height of the origin below the edge, and below the one that comes next.
-  [[gnu::always_inline]] S height() const { return height_of(best, best_length); }
-  [[gnu::always_inline]] S next_height() const { return height_of(next, next_length); }
-  [[gnu::always_inline]] static S height_of(const S& signed_square, const S& length) {
-    const S root = sqrt(abs(signed_square) / length);
-    return select(signed_square < S(0), -root, root);
+  /// The height of the origin below the edge that comes next.
+  [[gnu::always_inline]] S next_height() const {
+    const S root = sqrt(abs(next) / next_length);
+    return select(next < S(0), -root, root);
   }
 
   /// Edges shorter than this, squared, are left to the walk, as in `edge_axes.kernel.cpp`.
@@ -257,29 +255,6 @@ template <class S, std::size_t N>
   out.near_b = select(e.of_a, e.j, near);
 }
 
-/// What two heights may differ by, of an edge and of whoever computes them: products of sizes, some eight operations each
-/// half a unit off.
-template <class S, std::size_t N>
-[[gnu::always_inline]] inline S height_slack(const LanePolygons<S, N>& pair) {
-  return S(64 * std::numeric_limits<double>::epsilon()) * pair.size;
-}
-
-/// Whether two polygons overlap, where the heights below their edges tell it beyond rounding, as `within_by_axes`.
-template <class S>
-struct LanePolygonOverlap {
-  decltype(S(0) < S(0)) known, overlap;
-
-  template <std::size_t N>
-  [[gnu::always_inline]] explicit LanePolygonOverlap(const LanePolygons<S, N>& pair) {
-    const LaneLeastEdge<S> least = least_edge(pair);
-    const S height = least.height(), slack = height_slack(pair);
-    overlap = height > slack;
-    // Outside, the distance is no less than the gap along any normal.
-    const auto apart = height < -(pair.radius_a + pair.radius_b) * S(1 + 0x1p-40) - slack;
-    known = pair.known & least.regular & (overlap | apart);
-  }
-};
-
 template <class S, std::size_t N>
 [[gnu::always_inline]] inline LanePolygonNearest<S> nearest_lanes(const LanePolygons<S, N>& pair) {
   LanePolygonNearest<S> out;
@@ -287,7 +262,8 @@ template <class S, std::size_t N>
   out.known = pair.known & least.regular;
   const LaneEdge<S> edge = placed_edge(pair, least, out.known);
   const S height = cross(edge.start, edge.edge) / length(edge.edge);
-  const S slack = height_slack(pair);
+  // Heights of both ways to compute them are products of sizes, some eight operations each half a unit off.
+  const S slack = S(64 * std::numeric_limits<double>::epsilon()) * pair.size;
   out.known = out.known & (least.next_height() > height + slack);
   const auto outside = height < S(0);
   const LaneNearestEdge<S> seen = lane_nearest_seen(pair, edge, outside, out.known);

@@ -32,9 +32,8 @@ struct PairBlock {
   const PairColumns<block_pairs>* columns;
   const PolygonBlock* polygons;
 
-  void overlaps(OverlapColumns<block_pairs>& found) const {
-    polygons ? polygon_kernels().overlaps(*polygons, count, found) : kernels->overlaps(*columns, count, found);
-  }
+  /// Of an entry's pairs alone.
+  void overlaps(OverlapColumns<block_pairs>& found) const { kernels->overlaps(*columns, count, found); }
   void distances(DistanceColumns<block_pairs>& found) const {
     polygons ? polygon_kernels().distances(*polygons, count, found) : kernels->distances(*columns, count, found);
   }
@@ -51,16 +50,18 @@ class PairQueues {
       : kernels_(GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)()),
         load_(GRAZE_KERNEL(chosen_isa(), plane_load_kernels)().template of<T>()) {}
 
-  /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`.
+  /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`; polygons stand in blocks where that is
+  /// wanted.
   template <class Block, class Alone>
-  void visit(const Batch<T>& batch, std::size_t begin, std::size_t end, const Block& block, const Alone& alone) {
+  void visit(const Batch<T>& batch, std::size_t begin, std::size_t end, bool polygons, const Block& block,
+             const Alone& alone) {
     const Bodies<T>&a = batch.a(), &b = batch.b();
     for (std::size_t i = begin; i < end; ++i) {
       const IdPair p = batch[i];
       const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
       const std::optional<PairEntry>& entry = KindTable<T>::at(kind_a, kind_b);
       if (!entry || !accepts(a, p.a, kind_a) || !accepts(b, p.b, kind_b)) {
-        if (entry || !polygons_.take(batch, i))
+        if (entry || !polygons || !polygons_.take(batch, i))
           alone(i);
         else if (polygons_.count() == block_pairs)
           run_polygons(block);

@@ -34,9 +34,9 @@ using LoadPolygons = void (*)(const Vec2<T>* const* rows, std::size_t count, Pol
 
 /// The kernels for both scalars.
 struct PolygonKernels {
-  /// Whether a pair takes less time in them than alone: two lanes do not make up for what lanes choose among.
-  bool faster;
-  void (*overlaps)(const PolygonBlock&, std::size_t count, OverlapColumns<block_pairs>&);
+  /// Whether a pair takes less time in them than alone: few lanes do not make up for all that they choose among, and no
+  /// lanes for the overlap, for which a pair alone compares its edges beside each other in floats.
+  bool distances_pay, contacts_pay;
   void (*distances)(const PolygonBlock&, std::size_t count, DistanceColumns<block_pairs>&);
   void (*contacts)(const PolygonBlock&, std::size_t count, const double (&margins)[block_pairs],
                    ContactColumns<block_pairs>&);

@@ -92,7 +92,6 @@ class PolygonQueue {
  public:
   /// Takes the pair, if it is such.
   bool take(const Batch<T>& batch, std::size_t i) {
-    if (!polygon_kernels().faster) return false;
     const IdPair p = batch[i];
     const std::size_t a = a_.take(batch.a(), p.a, count_), b = a == 0 ? 0 : b_.take(batch.b(), p.b, count_);
     if (b == 0 || (a < 3 && b < 3)) return false;

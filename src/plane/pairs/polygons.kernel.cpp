@@ -16,16 +16,6 @@ using plane_answers::put_truth;
 using Beside = Lanes<double>;
 
 template <std::size_t N>
-[[gnu::flatten]] void overlaps_of(const PolygonBlock& block, std::size_t count, OverlapColumns<block_pairs>& out) {
-  for (std::size_t i = 0; i < count; i += Beside::lanes) {
-    const LanePolygons<Beside, N> pair(block, i);
-    const LanePolygonOverlap<Beside> found(pair);
-    put_truth<Beside>(out.known, i, found.known);
-    put_truth<Beside>(out.overlap, i, found.overlap);
-  }
-}
-
-template <std::size_t N>
 [[gnu::flatten]] void distances_of(const PolygonBlock& block, std::size_t count, DistanceColumns<block_pairs>& out) {
   for (std::size_t i = 0; i < count; i += Beside::lanes) {
     const LanePolygons<Beside, N> pair(block, i);
@@ -79,9 +69,6 @@ void with_vertices(const PolygonBlock& block, const F& f) {
     f(std::integral_constant<std::size_t, lane_vertices>());
 }
 
-void overlaps(const PolygonBlock& block, std::size_t count, OverlapColumns<block_pairs>& out) {
-  with_vertices(block, [&](auto n) { overlaps_of<decltype(n)::value>(block, count, out); });
-}
 void distances(const PolygonBlock& block, std::size_t count, DistanceColumns<block_pairs>& out) {
   with_vertices(block, [&](auto n) { distances_of<decltype(n)::value>(block, count, out); });
 }
@@ -120,8 +107,8 @@ template <class T>
   }
 }
 
-constexpr PolygonKernels kernels{Beside::lanes >= 4,   overlaps, distances, contacts, load_vertices<float>,
-                                 load_vertices<double>};
+constexpr PolygonKernels kernels{Beside::lanes >= 4, Beside::lanes >= 8,   distances,
+                                 contacts,           load_vertices<float>, load_vertices<double>};
 
 }  // namespace
 
