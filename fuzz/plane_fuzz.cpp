@@ -44,7 +44,7 @@ void ask_rays(const Shaped& shape, const Pose2d& pose, double size) {
   }
 }
 
-/// What meets on the way touches there, and what does not never overlaps.
+/// Two shapes that meet on the way touch there, and two that do not never overlap.
 void ask_cast(const Shaped& a, const Shaped& b, const Pose2d& pose, double turn, double size) {
   const Velocity<double> motion{-pose.translation, turn};
   const auto hit = cast(a, Pose2d{}, {}, b, pose, motion, 1.0);

@@ -16,7 +16,7 @@
 
 namespace graze::testing {
 
-/// What the run below gives, from every compiler, at every level of optimisation and of the instruction set, on every
+/// The hash of the run below, from every compiler, at every level of optimisation and of the instruction set, on every
 /// processor. It changes only with the arithmetic of a kernel, and whoever changes that writes it anew.
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;

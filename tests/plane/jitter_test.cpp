@@ -59,7 +59,7 @@ std::vector<Resting<T>> shapes_at_rest(double size) {
   return out;
 }
 
-/// What they rest on: a shape whose top is at `height`, long enough for none to hang over.
+/// Shapes to rest on, each a shape whose top is at `height`, long enough for none to hang over.
 template <class T>
 std::vector<Resting<T>> grounds(double size) {
   const auto number = [&](double x) { return static_cast<T>(x * size); };

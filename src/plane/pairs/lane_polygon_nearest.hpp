@@ -196,7 +196,7 @@ template <class S>
   return select(e.of_a, not_after(e.edge, than.edge), !not_after(than.edge, e.edge));
 }
 
-/// As `beside_end` in `nearest_axes.cpp`.
+/// The part of an edge at its ends that `nearest_axes.cpp` calls `beside_end`, to go on at the same edges.
 inline constexpr double lane_beside_end = 0x1p-20;
 
 /// The nearest point of the edges that the origin sees, along the outline from the edge whose line is furthest away.
