@@ -15,8 +15,8 @@ template <class T>
 Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found,
                           double margin);
 
-/// Of two polygons what the edges that face each other along the normal of `found` have between them; nothing where none
-/// do, or only beside each other.
+/// The points of two polygons whose edges face each other along the normal of `found`; none where no edges do, or only
+/// beside each other.
 template <class T>
 Manifold<double> facing_manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found,
                                  double margin);

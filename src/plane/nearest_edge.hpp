@@ -36,7 +36,7 @@ inline NearestEdge nearest_on(const DifferenceEdge& e) {
   return {e, t, length_squared(point_on(e, t))};
 }
 
-/// Squares of distances that may be the same one, relative to it: of two products, a sum and what was subtracted before.
+/// How far apart two squares of one distance may be, relative to it: two products, a sum, and differences before.
 inline constexpr double same_square = 32 * std::numeric_limits<double>::epsilon();
 
 /// Whether an edge has a nearer point than another. A foot within an edge goes before an end that is as far up to

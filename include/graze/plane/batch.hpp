@@ -2,8 +2,9 @@
 //
 // Guarantee: for every pair the bits that the question about it alone gives, in whatever order the pairs come, whatever
 // pairs stand beside it, at every level of the instruction set and on any number of threads; so that a batch is a
-// matter of speed only. Circles, capsules of one radius, segments, boxes, half-planes and convex polygons of up to eight
-// vertices are answered many at a time where that is faster, all other pairs one by one. Nothing is allocated for kernels; the arrays of the answer grow where they must.
+// matter of speed only. Circles, capsules of one radius, segments, boxes, half-planes and convex polygons of up to
+// eight vertices are answered many at a time where that is faster, all other pairs one by one. Nothing is allocated for
+// kernels; the arrays of the answer grow where they must.
 #pragma once
 
 #include <cstddef>

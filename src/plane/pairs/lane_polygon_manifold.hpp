@@ -13,8 +13,8 @@ struct LaneFacingEdge {
   Vec2<S> start, end;
   S length, facing, from, to;
 
-  /// `near` is a vertex near that edge. Where the edge that begins there has the direction for its normal, it goes before
-  /// others in line with it: lanes in which that may be another one are not known.
+  /// `near` is a vertex near that edge. Where the edge that begins there has the direction for its normal, it goes
+  /// before others in line with it: lanes in which that may be another one are not known.
   template <std::size_t N>
   [[gnu::always_inline]] LaneFacingEdge(const LaneVertices<S, N>& polygon, const Vec2<S>& n, const S& near,
                                         decltype(S(0) < S(0))& known) {

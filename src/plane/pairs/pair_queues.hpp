@@ -50,8 +50,8 @@ class PairQueues {
       : kernels_(GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)()),
         load_(GRAZE_KERNEL(chosen_isa(), plane_load_kernels)().template of<T>()) {}
 
-  /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`; polygons stand in blocks where that is
-  /// wanted.
+  /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`; polygons stand in blocks where
+  /// `polygons` says so.
   template <class Block, class Alone>
   void visit(const Batch<T>& batch, std::size_t begin, std::size_t end, bool polygons, const Block& block,
              const Alone& alone) {

@@ -1,9 +1,9 @@
 // Pairs of polygons of few vertices beside each other, a block at a time: what the pair list has no closed form for.
 //
-// Guarantee: the nearest points and the manifold of `nearest_by_axes` and `manifold`, operation by operation, so that the
-// bits are those of a pair alone at every level of the instruction set. A lane that would have to choose among edges
-// that lie within rounding of each other, and one with lengths near the ends of the numbers' range, is not known, and
-// is answered alone.
+// Guarantee: the nearest points and the manifold of `nearest_by_axes` and `manifold`, operation by operation, so that
+// the bits are those of a pair alone at every level of the instruction set. A lane that would have to choose among
+// edges that lie within rounding of each other, and one with lengths near the ends of the numbers' range, is not known,
+// and is answered alone.
 #pragma once
 
 #include "plane/pairs/pair_kernels.hpp"

@@ -1,5 +1,5 @@
-// Pairs of polygons that wait for a block to fill: those without an entry in the pair list, of which one at least has an
-// inside and neither more vertices than the kernels take.
+// Pairs of polygons that wait for a block to fill: those without an entry in the pair list, of which one at least has
+// an inside and neither more vertices than the kernels take.
 #pragma once
 
 #include <algorithm>
