@@ -42,6 +42,13 @@ void check_positive(T value, const std::string& path) {
     validate::fail(path, "a number > 0 with a finite inverse", static_cast<double>(value));
 }
 
+/// What a shape and a density make.
+template <class T>
+void check_finite_positive(T value, const char* path) {
+  if (!(value > T(0)) || !std::isfinite(value) || !std::isfinite(T(1) / value))
+    validate::fail(path, "a finite number > 0 with a finite inverse", static_cast<double>(value));
+}
+
 template <class T>
 void check_not_negative(T value, const char* path) {
   if (!(value >= T(0)) || !std::isfinite(value))
@@ -122,7 +129,7 @@ BodyMass<T, Space<T>> body_mass(const Shape<T>& shape, const Dynamics<T>& dynami
   if (!solid && !(dynamics.mass && dynamics.inertia_diagonal))
     validate::fail("shape", "a solid, or a mass and an inertia", shape.name());
   const T mass = dynamics.mass ? *dynamics.mass : of.volume * dynamics.density;
-  check_positive(mass, "mass");
+  if (!dynamics.mass) check_finite_positive(mass, "mass of the shape");
   body.mass = mass;
   body.inverse_mass = T(1) / mass;
   if (dynamics.inertia_diagonal) {
@@ -132,7 +139,7 @@ BodyMass<T, Space<T>> body_mass(const Shape<T>& shape, const Dynamics<T>& dynami
     const PrincipalAxes<T> axes = principal_axes(of.inertia * (mass / of.volume));
     body.principal.rotation = axes.rotation;
     body.inertia = axes.diagonal;
-    for (std::size_t i = 0; i < 3; ++i) check_positive(body.inertia[i], "inertia of the shape");
+    for (std::size_t i = 0; i < 3; ++i) check_finite_positive(body.inertia[i], "inertia of the shape");
   }
   if (body.inverse_mass == T(0)) return body;
   for (std::size_t i = 0; i < 3; ++i) body.inverse_inertia[i] = T(1) / body.inertia[i];
@@ -153,14 +160,14 @@ BodyMass<T, plane::Space<T>> body_mass(const plane::Shape<T>& shape, const plane
   if (!solid && !(dynamics.mass && dynamics.inertia))
     validate::fail("shape", "a shape with an area, or a mass and an inertia", shape.name());
   const T mass = dynamics.mass ? *dynamics.mass : of.area * dynamics.density;
-  check_positive(mass, "mass");
+  if (!dynamics.mass) check_finite_positive(mass, "mass of the shape");
   body.mass = mass;
   body.inverse_mass = T(1) / mass;
   if (dynamics.inertia) {
     body.inertia = *dynamics.inertia;
   } else if (std::isfinite(mass)) {
     body.inertia = of.inertia * (mass / of.area);
-    check_positive(body.inertia, "inertia of the shape");
+    check_finite_positive(body.inertia, "inertia of the shape");
   }
   if (body.inverse_mass != T(0)) body.inverse_inertia = T(1) / body.inertia;
   return body;

@@ -72,7 +72,13 @@ Vec3<S> turned_back_by(const Quat<S>& q, const Vec3<S>& v) {
 
 template <class T>
 bool is_finite(const Quat<T>& rotation) {
-  return std::isfinite(rotation.w);
+  return std::isfinite(rotation.x + rotation.y + rotation.z + rotation.w);
+}
+/// Whether the coordinates are numbers that bodies may have; a NaN among them is none, whichever it is.
+template <class T>
+bool is_accepted(const Vec3<T>& v) {
+  return std::abs(v.x) <= largest_magnitude<T> && std::abs(v.y) <= largest_magnitude<T> &&
+         std::abs(v.z) <= largest_magnitude<T>;
 }
 
 /// The point or turning; throws `InvalidValue` for one that is not finite or too large.
@@ -130,7 +136,11 @@ Vec2<S> turned_back_by(const Rot2<S>& q, const Vec2<S>& v) {
 }
 template <class T>
 bool is_finite(const Rot2<T>& rotation) {
-  return std::isfinite(rotation.cosine);
+  return std::isfinite(rotation.cosine + rotation.sine);
+}
+template <class T>
+bool is_accepted(const Vec2<T>& v) {
+  return std::abs(v.x) <= largest_magnitude<T> && std::abs(v.y) <= largest_magnitude<T>;
 }
 template <class T>
 Vec2<T> checked_vector(const Vec2<T>& v, const char* path) {
@@ -158,6 +168,10 @@ T size_of(const Shape<T>& shape) {
 template <std::floating_point T>
 T finite_inertia(const T& inertia, const T& inverse) {
   return inverse > T(0) ? inertia : T(0);
+}
+template <std::floating_point T>
+bool is_accepted(const T& turning) {
+  return std::abs(turning) <= largest_magnitude<T>;
 }
 template <std::floating_point T>
 T checked_vector(const T& turning, const char* path) {

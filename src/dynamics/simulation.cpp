@@ -100,8 +100,7 @@ void SimulationParts<T, Space>::move_world() {
     typename Space::Vec linear = m.linear + cross(m.angular, pose.translation - m.center);
     typename Space::Turning angular = m.angular;
     // What has left the numbers that are accepted stays where it was.
-    const T reached = greatest(max_abs(pose.translation), greatest(max_abs(linear), max_abs(angular)));
-    if (!(reached <= largest_magnitude<T>) || !is_finite(pose.rotation)) {
+    if (!is_accepted(pose.translation) || !is_accepted(linear) || !is_accepted(angular) || !is_finite(pose.rotation)) {
       pose = world.bodies().poses()[i];
       linear = {};
       angular = {};
