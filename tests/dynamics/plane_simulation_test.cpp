@@ -146,6 +146,19 @@ TYPED_TEST(PlaneSimulationOf, SlidingDiscsRoll) {
   }
 }
 
+/// Rolling friction of a length c turns a disc back by c m g: with the inertia m r² / 2 it slows down by 2 c g / 3 r.
+TYPED_TEST(PlaneSimulationOf, RollingFrictionSlowsADiscDown) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  Material<T> m;
+  m.rolling_friction = T(0.075);
+  add_floor<T>(s, m);
+  const BodyId disc = s.add({Circle<T>(T(0.5)), {{T(0), T(0.5)}, {}}, {T(4), T(0)}, T(-8)}, {}, m);
+  for (int i = 0; i < 128; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.motion(disc).linear.x, T(2), T(0.02));
+  EXPECT_NEAR(s.motion(disc).angular, T(-4), T(0.04));
+}
+
 /// A ball that falls from h rebounds to e² h, and with e = 1 keeps its energy.
 TYPED_TEST(PlaneSimulationOf, Rebounds) {
   using T = TypeParam;

@@ -1,0 +1,95 @@
+// The bits of simulations: the same on any threads, after `restore`, in another size; and their hash.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "dynamics/simulated.hpp"
+#include "world/executors.hpp"
+
+namespace graze::testing {
+namespace {
+
+template <class T>
+class SimulationBits : public ::testing::Test {};
+using ScalarsOfBits = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(SimulationBits, ScalarsOfBits);
+
+TYPED_TEST(SimulationBits, SameOnAnyThreads) {
+  using T = TypeParam;
+  const auto run = [](Executor* executor) {
+    Simulation<T> s(settings<T>(T(10), true), executor);
+    add_heap(s, 5, 60);
+    return poses_after(s, 100);
+  };
+  const auto serial = run(nullptr);
+  ThreadExecutor threads(4);
+  BusyExecutor busy(true);
+  EXPECT_EQ(run(&threads), serial);
+  EXPECT_EQ(run(&busy), serial);
+}
+
+TYPED_TEST(SimulationBits, SameAfterRestore) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(10), true));
+  add_heap(s, 6, 40);
+  poses_after(s, 60);
+  const State<T> state = s.save();
+  const auto once = poses_after(s, 60);
+  s.restore(state);
+  EXPECT_EQ(poses_after(s, 60), once);
+  poses_after(s, 20);
+  s.restore(state);
+  EXPECT_EQ(poses_after(s, 60), once);
+}
+
+/// The hash of a state is that of every run that is the same, and of no other.
+TYPED_TEST(SimulationBits, StatesHaveHashes) {
+  using T = TypeParam;
+  const auto run = [](Executor* executor, T nudge) {
+    Simulation<T> s(settings<T>(T(10), true), executor);
+    add_heap(s, 7, 40);
+    poses_after(s, 30);
+    const BodyId last = s.world().bodies().id(40);
+    s.set_velocity(last, {{nudge, T(0), T(0)}, {}});
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 5; ++i) {
+      s.step(T(dt));
+      hashes.push_back(s.state_hash());
+    }
+    return hashes;
+  };
+  const auto hashes = run(nullptr, T(0));
+  ThreadExecutor threads(3);
+  EXPECT_EQ(run(&threads, T(0)), hashes);
+  const auto others = run(nullptr, std::numeric_limits<T>::epsilon());
+  for (std::size_t i = 0; i < hashes.size(); ++i) {
+    EXPECT_NE(others[i], hashes[i]) << i;
+    if (i > 0) {
+      EXPECT_NE(hashes[i], hashes[i - 1]) << i;
+    }
+  }
+  Simulation<T> s(settings<T>(T(10), true));
+  add_heap(s, 7, 40);
+  poses_after(s, 30);
+  const State<T> state = s.save();
+  const std::uint64_t before = s.state_hash();
+  poses_after(s, 10);
+  s.restore(state);
+  EXPECT_EQ(s.state_hash(), before);
+}
+
+TYPED_TEST(SimulationBits, SameInAnotherSize) {
+  using T = TypeParam;
+  const auto run = [](T scale, T step) {
+    Simulation<T> s(settings<T>(T(10), true));
+    add_heap(s, 7, 20, scale);
+    auto poses = poses_after(s, 150, step);
+    for (Pose<T>& p : poses) p.translation = p.translation / scale;
+    return poses;
+  };
+  EXPECT_EQ(run(T(4), T(2 * dt)), run(T(1), T(dt)));
+}
+
+}  // namespace
+}  // namespace graze::testing
