@@ -192,9 +192,13 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
 template <class S, class Space>
 auto ManifoldRows<S, Space>::solve(std::span<Row> rows, const ContactStep<T>& step, bool bias, Bodies& bodies) -> Mask {
   Mask slides = S(T(0)) <= S(T(0));
+  // A body that is put down slips in the sub-steps until its weight rests on the contact. That does not make it slide:
+  // up to the speed that gravity gives in a step static friction stops it, or it would never be stopped where the
+  // dynamic one is too weak.
+  const S slow(step.gravity * step.time.step);
   for (int round = 0; round < sliding_rounds && any(slides); ++round) {
     solve_normals(rows, step, bias, slides, bodies);
-    slides = friction.solve(normal, mass_a, mass_b, rows, touching.material, slides, bodies);
+    slides = friction.solve(normal, mass_a, mass_b, rows, touching.material, slow, slides, bodies);
   }
   return slides;
 }

@@ -109,9 +109,9 @@ class FrictionRows<S, Space<S>> {
   }
 
   /// Friction with the total impulse of the points at hand, in the lanes that are active; tells whether it reached its
-  /// limit there.
+  /// limit there. What slides slower than `slow` counts as at rest.
   Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
-             const Mask& active, Bodies& bodies) {
+             const S& slow, const Mask& active, Bodies& bodies) {
     S pressed(0), lever(0);
     for (const auto& r : rows) {
       pressed += r.impulse;
@@ -119,7 +119,7 @@ class FrictionRows<S, Space<S>> {
     }
     solve_twist(normal, material.dynamic_friction * lever, active, bodies);
     if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
-    return solve_sliding(normal, mass_a, mass_b, pressed, material, active, bodies);
+    return solve_sliding(normal, mass_a, mass_b, pressed, material, slow, active, bodies);
   }
 
   /// What is pushed across the normal.
@@ -166,7 +166,7 @@ class FrictionRows<S, Space<S>> {
   }
 
   Mask solve_sliding(const Vec& normal, const S& mass_a, const S& mass_b, const S& pressed,
-                     const ContactMaterial<S>& material, const Mask& active, Bodies& bodies) {
+                     const ContactMaterial<S>& material, const S& slow, const Mask& active, Bodies& bodies) {
     using std::sqrt;
     const Vec v = cross(normal, u_);
     const Vec slip =
@@ -174,8 +174,9 @@ class FrictionRows<S, Space<S>> {
     const S su = dot(slip, u_) + belt_u_, sv = dot(slip, v) + belt_v_;
     const S fu = push_u_ - (mass_[0] * su + mass_[1] * sv), fv = push_v_ - (mass_[1] * su + mass_[2] * sv);
     const S needed = sqrt(fu * fu + fv * fv);
-    const Mask slides = active & (needed > material.static_friction * pressed);
-    const S limit = material.dynamic_friction * pressed;
+    const S held = material.static_friction * pressed;
+    const Mask slides = active & (needed > held);
+    const S limit = select(slow * slow < su * su + sv * sv, material.dynamic_friction * pressed, held);
     const S shorter = select(slides, least(S(1), limit / select(slides, needed, S(1))), S(1));
     const S push_u = select(active, fu * shorter, push_u_), push_v = select(active, fv * shorter, push_v_);
     const S more_u = push_u - push_u_, more_v = push_v - push_v_;
@@ -239,15 +240,16 @@ class FrictionRows<S, plane::Space<S>> {
   }
 
   Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
-             const Mask& active, Bodies& bodies) {
+             const S& slow, const Mask& active, Bodies& bodies) {
     S pressed(0);
     for (const auto& r : rows) pressed += r.impulse;
     if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
     const S slip = dot(bodies.b.linear - bodies.a.linear, left(normal)) + turn_b_ * bodies.b.angular -
                    turn_a_ * bodies.a.angular + belt_;
     const S needed = push_ - mass_ * slip;
-    const Mask slides = active & (abs_of(needed) > material.static_friction * pressed);
-    const S limit = material.dynamic_friction * pressed;
+    const S held = material.static_friction * pressed;
+    const Mask slides = active & (abs_of(needed) > held);
+    const S limit = select(slow < abs_of(slip), material.dynamic_friction * pressed, held);
     const S push = select(active, select(slides, clamp(needed, -limit, limit), needed), push_);
     const S more = push - push_;
     push_ = push;

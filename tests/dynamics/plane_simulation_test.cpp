@@ -159,6 +159,41 @@ TYPED_TEST(PlaneSimulationOf, RollingFrictionSlowsADiscDown) {
   EXPECT_NEAR(s.motion(disc).angular, T(-4), T(0.04));
 }
 
+/// Static friction holds up to its cone; what slides is held back by the dynamic one: on a slope of 3 : 4 by
+/// (3 - 4 / 4) g / 5.
+TYPED_TEST(PlaneSimulationOf, StaticFrictionHoldsWhatDynamicLetsGo) {
+  using T = TypeParam;
+  const Rot2<T> tilt{T(0.8), T(-0.6)};
+  const Vec2<T> down{T(0.8), T(-0.6)}, up{T(0.6), T(0.8)};
+  const Material<T> m{T(0.9), T(0.25)};
+  for (const T speed : {T(0), T(1)}) {
+    Simulation<T> s(settings<T>());
+    add_floor<T>(s, m, tilt);
+    const BodyId box = s.add({Box<T>({T(2), T(0.5)}), {up * T(0.25), tilt}, down * speed}, {}, m);
+    for (int i = 0; i < 128; ++i) s.step(T(dt));
+    const T expected = speed == T(0) ? T(0) : speed + (T(3) - T(1)) / T(5) * T(10) * T(2);
+    EXPECT_NEAR(dot(s.motion(box).linear, down), expected, T(0.02) * (T(1) + expected)) << speed;
+  }
+}
+
+/// Nor does it slide that a box touches first at a corner, or a little later, wherever static friction holds it.
+TYPED_TEST(PlaneSimulationOf, WhatIsPutDownGentlyStays) {
+  using T = TypeParam;
+  const Rot2<T> tilt{T(0.8), T(-0.6)};
+  const Vec2<T> up{T(0.6), T(0.8)};
+  for (const double friction : {0.8, 0.9, 1.2})
+    for (const double gap : {-1e-4, -1e-7, 0.0, 1e-8, 1e-6, 1e-5, 1e-4})
+      for (const double height : {0.5, 1.0}) {
+        const Material<T> m{static_cast<T>(friction), T(0.25)};
+        Simulation<T> s(settings<T>());
+        add_floor<T>(s, m, tilt);
+        const T away = static_cast<T>(height / 2 + gap);
+        const BodyId box = s.add({Box<T>({T(2), static_cast<T>(height)}), {up * away, tilt}}, {}, m);
+        for (int i = 0; i < 128; ++i) s.step(T(dt));
+        EXPECT_LT(length(s.motion(box).linear), T(1e-4)) << friction << ", " << gap << ", " << height;
+      }
+}
+
 /// A ball that falls from h rebounds to e² h, and with e = 1 keeps its energy.
 TYPED_TEST(PlaneSimulationOf, Rebounds) {
   using T = TypeParam;
