@@ -143,6 +143,22 @@ TYPED_TEST(SimulationOf, StaticFrictionHoldsWhatDynamicLetsGo) {
   }
 }
 
+/// A box that is put on a slope of 3 : 4 slips until its weight rests on the contact, and then stays by static friction.
+TYPED_TEST(SimulationOf, WhatIsPutDownGentlyStays) {
+  using T = TypeParam;
+  const Quat<T> tilt = normalized(Quat<T>{T(0), T(0), T(-1), T(3)});
+  for (const double friction : {0.8, 0.9, 1.2})
+    for (const double gap : {-1e-4, -1e-7, 0.0, 1e-8, 1e-6, 1e-5, 1e-4}) {
+      const Material<T> m{static_cast<T>(friction), T(0.25)};
+      Simulation<T> s(settings<T>());
+      add_floor<T>(s, m, tilt);
+      const Vec3<T> center = rotate(tilt, Vec3<T>{T(0), static_cast<T>(0.25 + gap), T(0)});
+      const BodyId box = s.add({Box<T>({T(2), T(0.5), T(2)}), {center, tilt}}, {}, m);
+      for (int i = 0; i < 128; ++i) s.step(T(dt));
+      EXPECT_LT(length(s.motion(box).linear), T(1e-4)) << friction << ", " << gap;
+    }
+}
+
 /// A ball that falls from h rebounds to e² h, and with e = 1 keeps its energy.
 TYPED_TEST(SimulationOf, Rebounds) {
   using T = TypeParam;
