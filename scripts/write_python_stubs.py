@@ -1,5 +1,5 @@
 """Writes the package's type stubs from the module itself: graze/__init__.pyi and graze/batch.pyi, and of
-graze/plane/__init__.pyi, whose beginning is written by hand, the classes behind MARK.
+graze/plane/__init__.pyi, whose beginning is written by hand, what stands behind MARK.
 
 pybind11 puts each function's signature into its docstring; this reads them back, so that stubs cannot differ from
 what they describe. `make python` has a test compare them: run
@@ -29,7 +29,8 @@ from numpy.typing import ArrayLike, NDArray
 POSE_LIKE = 'PoseLike = Union["Pose", tuple[ArrayLike, ArrayLike], ArrayLike, None]\n'
 MARK = "# Written by scripts/write_python_stubs.py from the module: do not edit what follows.\n"
 PLANE_CLASSES = [
-    "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
+    "StruckBody", "Blow", "FreeBody", "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
+PLANE_FUNCTIONS = ["cast_all", "feature_corners", "pass_on", "pose_at", "raycast_all", "raycast_any"]
 # What pybind11 calls things, and what they are called in Python.
 NAMES = [
     (r"\bgraze\.(_graze|plane)\.", ""),
@@ -143,6 +144,8 @@ def stubs():
     file = PACKAGE / "plane" / "__init__.pyi"
     plane = file.read_text(encoding="utf-8").split(MARK)[0] + MARK
     plane += "".join("\n" + "\n".join(class_lines(getattr(_graze._plane, name))) + "\n" for name in PLANE_CLASSES)
+    functions_of_plane = [functions(name, getattr(_graze._plane, name), "", False) for name in PLANE_FUNCTIONS]
+    plane += "\n" + "".join(line + "\n" for lines in functions_of_plane for line in lines)
     return [(PACKAGE / "__init__.pyi", space), (PACKAGE / "batch.pyi", batch), (file, plane)]
 
 

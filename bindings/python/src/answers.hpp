@@ -20,7 +20,7 @@ py::object object_of_answer(Answer&& answer) {
 void add_answers(py::module_& m);
 void add_queries(py::module_& m);
 void add_batches(py::module_& m);
-void add_ray_batches(py::module_& batch);
+void add_motion(py::module_& m);
 void add_world(py::module_& m);
 void add_simulation(py::module_& m);
 void add_replay(py::module_& m);

@@ -1,112 +1,34 @@
 // The questions about many pairs at once. Poses are read where they stand and answers are not copied; the interpreter's
 // lock is released while they are found.
-#include "answers.hpp"
-#include "shapes.hpp"
-
-#include <pybind11/stl.h>
+#include "row_batches.hpp"
+#include "space_batch.hpp"
 
 namespace graze::python {
 
 namespace {
 
-static_assert(sizeof(Posed) == 7 * sizeof(double), "seven numbers a pose, as NumPy's rows have them");
-static_assert(sizeof(IdPair) == 2 * sizeof(std::uint32_t));
-
-/// One side of a batch: shapes and poses, and the Python objects whose memory they stand in.
-class Side {
- public:
-  Side(const py::object& shapes, const py::object& poses, const char* name) {
-    if (py::isinstance<ShapeArray>(shapes)) {
-      array_ = shapes;
-      shapes_ = shapes.cast<const ShapeArray&>().shapes;
-    } else if (py::isinstance<Shaped>(shapes)) {
-      own_shapes_.push_back(shapes.cast<const Shaped&>());
-      shapes_ = own_shapes_;
-    } else {
-      for (const py::handle shape : shapes) own_shapes_.push_back(shape.cast<const Shaped&>());
-      shapes_ = own_shapes_;
-    }
-    read_poses(poses, std::string("poses_") + name);
-  }
-  Bodies<double> bodies() const { return {shapes_, poses_}; }
-
- private:
-  void read_poses(const py::object& poses, const std::string& name) {
-    Posed one;
-    if (py::isinstance<py::array>(poses) && py::array::ensure(poses).ndim() == 2 &&
-        py::array::ensure(poses).shape(1) == 7) {
-      rows_ = rows(poses, 7, name.c_str());
-      const auto* first = reinterpret_cast<const Posed*>(rows_.data());
-      poses_ = {first, static_cast<std::size_t>(rows_.shape(0))};
-      check(name);
-    } else if (py::isinstance<py::array>(poses) && py::array::ensure(poses).ndim() == 3) {
-      for (const py::handle matrix : poses) add(matrix, name);
-      poses_ = own_poses_;
-    } else if (!py::isinstance<py::list>(poses) && read_pose(poses, one)) {
-      own_poses_.push_back(one);
-      poses_ = own_poses_;
-    } else {
-      for (const py::handle pose : poses) add(pose, name);
-      poses_ = own_poses_;
-    }
-  }
-  void add(py::handle pose, const std::string& name) {
-    Posed read;
-    try {
-      if (!read_pose(pose, read))
-        throw py::type_error(name + "[" + std::to_string(own_poses_.size()) + "]: expected a pose");
-    } catch (const InvalidValue& error) {
-      throw error.below(name + "[" + std::to_string(own_poses_.size()) + "]");
-    }
-    own_poses_.push_back(read);
-  }
-  /// What stands in an array is used as it is: a quaternion has to be of unit length already.
-  void check(const std::string& name) const {
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-      const Posed& p = poses_[i];
-      const Quatd& q = p.rotation;
-      const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-      const bool sound = max_abs(p.translation) <= largest_magnitude<double> && std::abs(square - 1) <= unit_slack;
-      if (sound) continue;
-      const std::string path = name + "[" + std::to_string(i) + "]";
-      validate::point(p.translation, path + ".translation");
-      validate::fail(path + ".rotation", "a quaternion of unit length (within 1e-6)", std::sqrt(square));
-    }
-  }
-
-  py::object array_;
-  Rows rows_;
-  std::vector<Shaped> own_shapes_;
-  std::vector<Posed> own_poses_;
-  std::span<const Shaped> shapes_;
-  std::span<const Posed> poses_;
-};
-
-/// Both sides and the places of the pairs.
-class Question {
- public:
-  Question(const py::object& a, const py::object& poses_a, const py::object& b, const py::object& poses_b,
-           const py::object& pairs)
-      : a_(a, poses_a, "a"), b_(b, poses_b, "b") {
-    if (pairs.is_none()) {
-      batch_.emplace(a_.bodies(), b_.bodies());
-    } else {
-      pairs_ = index_rows(pairs, 2, "pairs");
-      const auto* first = reinterpret_cast<const IdPair*>(pairs_.data());
-      batch_.emplace(a_.bodies(), b_.bodies(),
-                     std::span<const IdPair>(first, static_cast<std::size_t>(pairs_.shape(0))));
-    }
-  }
-  const Batch<double>& batch() const { return *batch_; }
-
- private:
-  Side a_, b_;
-  IndexRows pairs_;
-  std::optional<Batch<double>> batch_;
-};
-
 using Contacts = BatchContacts<double>;
 
+/// The near pieces of all pairs, and where those of each end.
+struct Pieces {
+  std::vector<PieceDistance<double>> all;
+  std::vector<std::uint64_t> ends;
+};
+
+py::dtype piece_type() {
+  using P = PieceDistance<double>;
+  using D = Distance<double>;
+  constexpr std::size_t distance = offsetof(P, distance);
+  return record_type({{"piece_a", "u4", offsetof(P, piece_a)},
+                      {"piece_b", "u4", offsetof(P, piece_b)},
+                      {"distance", "f8", distance + offsetof(D, distance)},
+                      {"normal", "(3,)f8", distance + offsetof(D, normal)},
+                      {"a", "(3,)f8", distance + offsetof(D, a)},
+                      {"b", "(3,)f8", distance + offsetof(D, b)},
+                      {"status", "u1", distance + offsetof(D, status)},
+                      {"error", "f8", distance + offsetof(D, error)}},
+                     sizeof(P));
+}
 py::dtype pair_type() {
   using P = Contacts::Pair;
   return record_type({{"overlap", "?", offsetof(P, overlap)},
@@ -141,13 +63,10 @@ void add_batches(py::module_& m) {
       "overlap",
       [](const py::object& a, const py::object& poses_a, const py::object& b, const py::object& poses_b,
          const py::object& pairs) {
-        const Question question(a, poses_a, b, poses_b, pairs);
-        std::vector<std::uint8_t> touch;
-        {
-          const py::gil_scoped_release free;
-          overlap(question.batch(), touch);
-        }
-        return records(std::move(touch), py::dtype("?"));
+        const Question<SpaceBatch> question(a, poses_a, b, poses_b, pairs);
+        return records(
+            question.found<std::vector<std::uint8_t>>([](const auto& asked, auto& touch) { overlap(asked, touch); }),
+            py::dtype("?"));
       },
       py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("pairs") = py::none(),
       (std::string("Whether each pair touches: an array of bool.") + batch_doc).c_str());
@@ -155,13 +74,10 @@ void add_batches(py::module_& m) {
       "distance",
       [type = distance_type()](const py::object& a, const py::object& poses_a, const py::object& b,
                                const py::object& poses_b, const py::object& pairs) {
-        const Question question(a, poses_a, b, poses_b, pairs);
-        std::vector<Distance<double>> distances;
-        {
-          const py::gil_scoped_release free;
-          distance(question.batch(), distances);
-        }
-        return records(std::move(distances), type);
+        const Question<SpaceBatch> question(a, poses_a, b, poses_b, pairs);
+        return records(question.found<std::vector<Distance<double>>>(
+                           [](const auto& asked, auto& distances) { distance(asked, distances); }),
+                       type);
       },
       py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("pairs") = py::none(),
       (std::string("The signed distance of each pair: records with the fields distance, normal, a, b, status, error.") +
@@ -173,12 +89,9 @@ void add_batches(py::module_& m) {
        points_type = point_type()](const py::object& a, const py::object& poses_a, const py::object& b,
                                    const py::object& poses_b, double margin, const py::object& pairs) {
         if (!(margin >= 0)) validate::fail("margin", "a number >= 0", margin);
-        const Question question(a, poses_a, b, poses_b, pairs);
-        Contacts found;
-        {
-          const py::gil_scoped_release free;
-          contacts(question.batch(), margin, found);
-        }
+        const Question<SpaceBatch> question(a, poses_a, b, poses_b, pairs);
+        Contacts found =
+            question.found<Contacts>([margin](const auto& asked, auto& answers) { contacts(asked, margin, answers); });
         return py::make_tuple(records(std::move(found.pairs), pairs_type),
                               records(std::move(found.manifolds), groups_type),
                               records(std::move(found.points), points_type));
@@ -190,7 +103,30 @@ void add_batches(py::module_& m) {
            "`manifold_count` from `first_manifold` on, and likewise a manifold's points.") +
        batch_doc)
           .c_str());
-  add_ray_batches(batch);
+  batch.def(
+      "near_pieces",
+      [type = piece_type()](const py::object& a, const py::object& poses_a, const py::object& b,
+                            const py::object& poses_b, double margin, const py::object& pairs) {
+        const Question<SpaceBatch> question(a, poses_a, b, poses_b, pairs);
+        checked_reach(margin, "margin");
+        Pieces found = question.found<Pieces>([margin](const Batch<double>& asked, Pieces& pieces) {
+          for (std::size_t i = 0; i < asked.size(); ++i) {
+            const IdPair pair = asked[i];
+            near_pieces(asked.a().shape(pair.a), asked.a().pose(pair.a), asked.b().shape(pair.b),
+                        asked.b().pose(pair.b), margin, pieces.all);
+            pieces.ends.push_back(pieces.all.size());
+          }
+        });
+        return py::make_tuple(records(std::move(found.all), type), records(std::move(found.ends), py::dtype("u8")));
+      },
+      py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin"),
+      py::arg("pairs") = py::none(),
+      (std::string("The pairs of convex pieces within `margin` of each pair: (pieces, ends), an array of records with "
+                   "the fields piece_a, piece_b, distance, normal, a, b, status, error, and where those of each pair "
+                   "end in it.") +
+       batch_doc)
+          .c_str());
+  add_row_batches<SpaceBatch>(batch, batch_doc);
 }
 
 }  // namespace graze::python

@@ -111,6 +111,14 @@ bool read_pose(py::handle from, Posed& to) {
   return true;
 }
 
+py::array_t<double> array_of_points(std::span<const Vec3d> points) {
+  py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  double* out = array.mutable_data();
+  for (const Vec3d& p : points)
+    for (std::size_t i = 0; i < 3; ++i) *out++ = p[i];
+  return array;
+}
+
 Rows rows(py::handle from, py::ssize_t columns, const char* name) {
   const auto array = Rows::ensure(from);
   if (!array) {

@@ -34,6 +34,7 @@ inline py::array_t<double> array_of(const Vec3d& v) {
   const double numbers[3] = {v.x, v.y, v.z};
   return py::array_t<double>(3, numbers);
 }
+py::array_t<double> array_of_points(std::span<const Vec3d> points);
 inline py::tuple tuple_of(const Vec3d& v) { return py::make_tuple(v.x, v.y, v.z); }
 inline py::tuple tuple_of(const Quatd& q) { return py::make_tuple(q.x, q.y, q.z, q.w); }
 

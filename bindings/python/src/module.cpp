@@ -10,6 +10,7 @@ PYBIND11_MODULE(_graze, m) {
   add_answers(m);
   add_queries(m);
   add_batches(m);
+  add_motion(m);
   add_world(m);
   add_broad(m);
   add_draw(m);

@@ -49,6 +49,9 @@ void add_contacts(py::module_& m) {
       .def_readonly("piece_b", &Manifold::piece_b)
       .def_property_readonly("status", status_of<Manifold>(), status_doc)
       .def_readonly("error", &Manifold::error)
+      .def(
+          "reduce", [](Manifold& manifold, std::size_t count) { reduce(manifold, count); }, py::arg("count"),
+          "Keeps the `count` deepest points.")
       .def("__len__", [](const Manifold& manifold) { return manifold.points.size(); })
       .def("__repr__", [](const Manifold& manifold) {
         return "graze.plane.Manifold(normal=" + text(manifold.normal) + ", " + std::to_string(manifold.points.size()) +

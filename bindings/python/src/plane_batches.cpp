@@ -1,108 +1,11 @@
 // The questions about many pairs of the plane at once. Poses are read where they stand and answers are not copied; the
 // interpreter's lock is released while they are found.
-#include "plane_convert.hpp"
+#include "plane_batch.hpp"
+#include "row_batches.hpp"
 
 namespace graze::python {
 
 namespace {
-
-using plane::Pose2d, plane::Shaped;
-
-static_assert(sizeof(Pose2d) == 4 * sizeof(double), "four numbers a pose, as NumPy's rows have them");
-static_assert(sizeof(IdPair) == 2 * sizeof(std::uint32_t));
-
-/// One side of a batch: shapes and poses, and the array whose memory they stand in.
-class Side {
- public:
-  Side(const py::object& shapes, const py::object& poses, const std::string& name) {
-    read_shapes(shapes, name);
-    read_poses(poses, "poses_" + name);
-  }
-  plane::Bodies<double> bodies() const { return {std::span<const Shaped>(shapes_), poses_}; }
-
- private:
-  void read_shapes(const py::object& shapes, const std::string& name) {
-    if (py::isinstance<Shaped>(shapes)) {
-      shapes_.push_back(shapes.cast<const Shaped&>());
-      return;
-    }
-    for (const py::handle shape : shapes) {
-      if (!py::isinstance<Shaped>(shape))
-        throw py::type_error(name + "[" + std::to_string(shapes_.size()) + "]: expected a graze.plane.Shape");
-      shapes_.push_back(shape.cast<const Shaped&>());
-    }
-  }
-  void read_poses(const py::object& poses, const std::string& name) {
-    Pose2d one;
-    if (py::isinstance<py::array>(poses) && py::array(poses).ndim() == 2 && py::array(poses).shape(1) == 4) {
-      rows_ = rows(poses, 4, name.c_str());
-      poses_ = {reinterpret_cast<const Pose2d*>(rows_.data()), static_cast<std::size_t>(rows_.shape(0))};
-      check(name);
-      return;
-    }
-    if (!py::isinstance<py::list>(poses) && read_pose(poses, one))
-      own_poses_.push_back(one);
-    else
-      for (const py::handle pose : poses) add(pose, name);
-    poses_ = own_poses_;
-  }
-  void add(py::handle pose, const std::string& name) {
-    const std::string path = name + "[" + std::to_string(own_poses_.size()) + "]";
-    Pose2d read;
-    try {
-      if (!read_pose(pose, read)) throw py::type_error(path + ": expected a pose");
-    } catch (const InvalidValue& error) {
-      throw error.below(path);
-    }
-    own_poses_.push_back(read);
-  }
-  /// What stands in an array is used as it is: its rotations have to be of unit length already.
-  void check(const std::string& name) const {
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-      const Pose2d& p = poses_[i];
-      const double square = p.rotation.cosine * p.rotation.cosine + p.rotation.sine * p.rotation.sine;
-      if (max_abs(p.translation) <= largest_magnitude<double> && std::abs(square - 1) <= unit_slack) continue;
-      const std::string path = name + "[" + std::to_string(i) + "]";
-      static_cast<void>(plane::detail::checked_point(p.translation, path + ".translation"));
-      validate::fail(path + ".rotation", "a cosine and a sine of unit length (within 1e-6)", std::sqrt(square));
-    }
-  }
-
-  Rows rows_;
-  std::vector<Shaped> shapes_;
-  std::vector<Pose2d> own_poses_;
-  std::span<const Pose2d> poses_;
-};
-
-/// Both sides and the places of the pairs.
-class Question {
- public:
-  Question(const py::object& a, const py::object& poses_a, const py::object& b, const py::object& poses_b,
-           const py::object& pairs)
-      : a_(a, poses_a, "a"),
-        b_(b, poses_b, "b"),
-        pairs_(pairs.is_none() ? IndexRows() : index_rows(pairs, 2, "pairs")),
-        batch_(pairs.is_none() ? plane::Batch<double>(a_.bodies(), b_.bodies())
-                               : plane::Batch<double>(a_.bodies(), b_.bodies(), places())) {}
-
-  /// The answers to all, found while other threads of Python run.
-  template <class Answers, class F>
-  Answers found(F&& ask) const {
-    const py::gil_scoped_release free;
-    Answers answers;
-    ask(batch_, answers);
-    return answers;
-  }
-
- private:
-  std::span<const IdPair> places() const {
-    return {reinterpret_cast<const IdPair*>(pairs_.data()), static_cast<std::size_t>(pairs_.shape(0))};
-  }
-
-  Side a_, b_;
-  IndexRows pairs_;
-  plane::Batch<double> batch_;
-};
 
 using Contacts = plane::BatchContacts<double>;
 
@@ -162,7 +65,7 @@ void add_plane_batches(py::module_& m) {
   define(
       "overlap",
       [](Object a, Object poses_a, Object b, Object poses_b, Object pairs) {
-        const Question question(a, poses_a, b, poses_b, pairs);
+        const Question<PlaneBatch> question(a, poses_a, b, poses_b, pairs);
         return records(question.found<std::vector<std::uint8_t>>(
                            [](const auto& asked, auto& answers) { overlap(asked, answers); }),
                        py::dtype("?"));
@@ -171,7 +74,7 @@ void add_plane_batches(py::module_& m) {
   define(
       "distance",
       [type = plane_distance_type()](Object a, Object poses_a, Object b, Object poses_b, Object pairs) {
-        const Question question(a, poses_a, b, poses_b, pairs);
+        const Question<PlaneBatch> question(a, poses_a, b, poses_b, pairs);
         return records(question.found<std::vector<plane::Distance<double>>>(
                            [](const auto& asked, auto& answers) { distance(asked, answers); }),
                        type);
@@ -182,7 +85,7 @@ void add_plane_batches(py::module_& m) {
       [pairs_type = pair_type(), groups_type = group_type(), points_type = plane_point_type()](
           Object a, Object poses_a, Object b, Object poses_b, double margin, Object pairs) {
         if (!(margin >= 0)) validate::fail("margin", "a number >= 0", margin);
-        const Question question(a, poses_a, b, poses_b, pairs);
+        const Question<PlaneBatch> question(a, poses_a, b, poses_b, pairs);
         Contacts found =
             question.found<Contacts>([margin](const auto& asked, auto& answers) { contacts(asked, margin, answers); });
         return py::make_tuple(records(std::move(found.pairs), pairs_type),
@@ -195,6 +98,7 @@ void add_plane_batches(py::module_& m) {
        "`manifold_count` from `first_manifold` on, and likewise a manifold's points." +
        batch_doc)
           .c_str());
+  add_row_batches<PlaneBatch>(batch, batch_doc);
 }
 
 }  // namespace graze::python

@@ -41,6 +41,7 @@ void add_plane_shapes(py::module_& m);
 void add_plane_answers(py::module_& m);
 void add_plane_queries(py::module_& m);
 void add_plane_batches(py::module_& m);
+void add_plane_motion(py::module_& m);
 void add_plane_world(py::module_& m);
 void add_plane_simulation(py::module_& m);
 void add_plane_draw(py::module_& m);

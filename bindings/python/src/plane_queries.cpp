@@ -19,6 +19,13 @@ py::object object_or_none(const std::optional<Hit>& hit) {
   return hit ? py::cast(*hit) : py::none();
 }
 
+template <class Hit>
+py::list list_of(const std::vector<Hit>& hits) {
+  py::list found;
+  for (const Hit& hit : hits) found.append(py::cast(hit));
+  return found;
+}
+
 double checked_limit(double limit, const char* name) {
   if (!(limit >= 0)) validate::fail(name, "a number >= 0", limit);
   return limit;
@@ -28,6 +35,12 @@ double finite(double value, const char* name) {
   if (const char* expectation = validate::fault_of_coordinate(value)) validate::fail(name, expectation, value);
   return value;
 }
+
+plane::Velocity<double> velocity_of(const Vector2& linear, double angular, const std::string& name) {
+  return {checked(linear.value, ("linear" + name).c_str()), finite(angular, ("angular" + name).c_str())};
+}
+
+CastOptions options_of(bool ignore_separating) { return {ignore_separating ? Separating::ignored : Separating::hit}; }
 
 void add_pairs(py::module_& m) {
   m.def(
@@ -86,6 +99,17 @@ Negative where they overlap: minus the length of the shortest translation that s
       "contact_margin", [](const Shaped& a, const Shaped& b) { return contact_margin(a, b); }, py::arg("a"),
       py::arg("b"), "A margin with which a body at rest keeps its points: a hundredth of the smaller one's size.");
   m.def(
+      "feature_corners",
+      [](const Shaped& shape, std::uint16_t feature, std::uint32_t piece) {
+        const auto corners = feature_corners(shape, piece, feature_of_b(feature));
+        return array_of_points(std::span(corners.begin(), corners.size()));
+      },
+      py::arg("shape"), py::arg("feature"), py::arg("piece") = 0,
+      R"(The corners of the vertex or edge that a point of contact names, in the shape's frame: shape (n, 2).
+
+feature: `point.feature >> 16` of shape a, `point.feature & 0xffff` of b. piece: the manifold's, of a polygon, a chain
+or a compound. None of what has no corners, or is not certain.)");
+  m.def(
       "closest",
       [](const Shaped& shape, const Placement2& pose, const Vector2& point, const py::object& trace) {
         const plane::Vec2d p = checked(point.value, "point");
@@ -95,7 +119,7 @@ Negative where they overlap: minus the length of the shortest translation that s
       "The point of a shape's surface nearest to a point; the distance is negative inside a solid.");
 }
 
-void add_motion(py::module_& m) {
+void add_rays_and_casts(py::module_& m) {
   m.def(
       "raycast",
       [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length,
@@ -116,16 +140,34 @@ direction need not be of unit length; t of the hit is a length.
 2.0
 )");
   m.def(
+      "raycast_any",
+      [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
+        return raycast_any(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
+                           checked_limit(length, "length"));
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
+      py::arg("length") = std::numeric_limits<double>::infinity(), "Whether a ray hits anything within `length`.");
+  m.def(
+      "raycast_all",
+      [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
+        std::vector<plane::RayHit<double>> hits;
+        raycast_all(shape, pose.value, plane::Ray<double>{origin.value, direction.value}, hits,
+                    checked_limit(length, "length"));
+        return list_of(hits);
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
+      py::arg("length") = std::numeric_limits<double>::infinity(),
+      "Where a ray enters each convex piece of the shape, in the order of the ray.");
+  m.def(
       "cast",
       [](const Shaped& a, const Placement2& pose_a, const Vector2& linear_a, const Shaped& b, const Placement2& pose_b,
          const Vector2& linear_b, double duration, double angular_a, double angular_b, bool ignore_separating,
          const py::object& trace) {
-        const plane::Velocity<double> v{checked(linear_a.value, "linear_a"), finite(angular_a, "angular_a")};
-        const plane::Velocity<double> w{checked(linear_b.value, "linear_b"), finite(angular_b, "angular_b")};
+        const auto v = velocity_of(linear_a, angular_a, "_a"), w = velocity_of(linear_b, angular_b, "_b");
         finite(checked_limit(duration, "duration"), "duration");
-        const CastOptions options{ignore_separating ? Separating::ignored : Separating::hit};
         return traced(trace, [&](Trace* t) {
-          return object_or_none(cast(a, pose_a.value, v, b, pose_b.value, w, duration, options, t));
+          return object_or_none(
+              cast(a, pose_a.value, v, b, pose_b.value, w, duration, options_of(ignore_separating), t));
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("linear_a"), py::arg("b"), py::arg("pose_b"), py::arg("linear_b"),
@@ -140,13 +182,37 @@ shapes that touch at the start and move apart do not count.
 >>> plane.cast(plane.Box((2, 2)), None, (0, 0), plane.Circle(0.5), (9, 0), (-15, 0)).t
 0.5
 )");
+  m.def(
+      "cast_all",
+      [](const Shaped& a, const Placement2& pose_a, const Vector2& linear_a, const Shaped& b, const Placement2& pose_b,
+         const Vector2& linear_b, double duration, double angular_a, double angular_b, bool ignore_separating) {
+        std::vector<plane::CastHit<double>> hits;
+        cast_all(a, pose_a.value, velocity_of(linear_a, angular_a, "_a"), b, pose_b.value,
+                 velocity_of(linear_b, angular_b, "_b"), finite(checked_limit(duration, "duration"), "duration"), hits,
+                 options_of(ignore_separating));
+        return list_of(hits);
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("linear_a"), py::arg("b"), py::arg("pose_b"), py::arg("linear_b"),
+      py::arg("duration") = 1.0, py::arg("angular_a") = 0.0, py::arg("angular_b") = 0.0,
+      py::arg("ignore_separating") = false,
+      "When each pair of convex pieces of two moving bodies first touches, as if it were alone: CastHits in the order "
+      "of "
+      "time.");
+  m.def(
+      "pose_at",
+      [](const Placement2& pose, const Vector2& linear, double angular, double t) {
+        if (!std::isfinite(t)) validate::fail("t", "a finite number", t);
+        return pose_at(pose.value, velocity_of(linear, angular, ""), t);
+      },
+      py::arg("pose"), py::arg("linear"), py::arg("angular"), py::arg("t"),
+      "Where a body stands at time t that moves at a constant velocity and turns at a constant rate.");
 }
 
 }  // namespace
 
 void add_plane_queries(py::module_& m) {
   add_pairs(m);
-  add_motion(m);
+  add_rays_and_casts(m);
 }
 
 void add_plane(py::module_& m) {
@@ -157,6 +223,7 @@ void add_plane(py::module_& m) {
   add_plane_answers(plane);
   add_plane_queries(plane);
   add_plane_batches(plane);
+  add_plane_motion(plane);
   add_plane_world(plane);
   add_plane_simulation(plane);
   add_plane_draw(plane);

@@ -13,6 +13,13 @@ py::object answered(const py::object& trace, const F& ask) {
   return traced(trace, [&](Trace* t) { return object_of_answer(ask(t)); });
 }
 
+template <class Hit>
+py::list list_of(const std::vector<Hit>& hits) {
+  py::list found;
+  for (const Hit& hit : hits) found.append(py::cast(hit));
+  return found;
+}
+
 double checked_limit(double limit, const char* name) {
   if (!(limit >= 0)) validate::fail(name, "a number >= 0", limit);
   return limit;
@@ -22,6 +29,14 @@ Velocity<double> velocity_of(const Vector& linear, const Vector& angular, const 
   return {validate::point(linear.value, std::string(name) + ".linear"),
           validate::point(angular.value, std::string(name) + ".angular")};
 }
+
+double checked_duration(double duration) {
+  if (!(checked_limit(duration, "duration") <= largest_magnitude<double>))
+    validate::fail("duration", "a finite number >= 0", duration);
+  return duration;
+}
+
+CastOptions options_of(bool ignore_separating) { return {ignore_separating ? Separating::ignored : Separating::hit}; }
 
 void add_pairs(py::module_& m) {
   const auto pair = [](const char* text) { return std::string(text); };
@@ -63,6 +78,13 @@ Negative where they overlap: minus the length of the shortest translation that s
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
       "The distance of shapes no further apart than `limit` >= 0, else None; costs what lies within the limit.");
+  m.def(
+      "may_overlap",
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b) {
+        return may_overlap(a, pose_a.value, b, pose_b.value);
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"),
+      "False only where two shapes certainly do not touch: cheaper than `overlap`.");
   m.def(
       "within",
       [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double limit) {
@@ -107,6 +129,24 @@ Negative where they overlap: minus the length of the shortest translation that s
   m.def(
       "contact_margin", [](const Shaped& a, const Shaped& b) { return contact_margin(a, b); }, py::arg("a"),
       py::arg("b"), "The margin that a world uses for the two: a hundredth of the smaller one's size.");
+  m.def(
+      "feature_corners",
+      [](const Shaped& shape, std::uint16_t feature, std::uint32_t piece) {
+        const auto corners = feature_corners(shape, piece, feature_of_b(feature));
+        return array_of_points(std::span(corners.begin(), corners.size()));
+      },
+      py::arg("shape"), py::arg("feature"), py::arg("piece") = 0,
+      R"(The corners of the vertex, edge or face that a point of contact names, in the shape's frame: shape (n, 3).
+
+feature: `point.feature >> 16` of shape a, `point.feature & 0xffff` of b. piece: the manifold's, of a mesh or a
+compound. None of what has no corners, or is not certain.
+
+>>> import graze
+>>> box = graze.Box((2, 2, 2))
+>>> [m] = graze.contacts(graze.HalfSpace(), None, box, (0, 0.99, 0))
+>>> graze.feature_corners(box, m.points[0].feature & 0xffff)[:, 1]
+array([-1.])
+)");
 }
 
 void add_points_and_rays(py::module_& m) {
@@ -157,9 +197,7 @@ direction need not be of unit length; t of the hit is a length.
         std::vector<RayHit<double>> hits;
         raycast_all(shape, pose.value, Ray<double>{origin.value, direction.value}, hits,
                     checked_limit(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
-        py::list found;
-        for (const auto& hit : hits) found.append(py::cast(hit));
-        return found;
+        return list_of(hits);
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
       py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("back_faces") = true,
@@ -173,11 +211,9 @@ void add_casts(py::module_& m) {
          const Vector& linear_b, double duration, const Vector& angular_a, const Vector& angular_b,
          bool ignore_separating, const py::object& trace) {
         const Velocity<double> v = velocity_of(linear_a, angular_a, "a"), w = velocity_of(linear_b, angular_b, "b");
-        if (!(checked_limit(duration, "duration") <= largest_magnitude<double>))
-          validate::fail("duration", "a finite number >= 0", duration);
-        const CastOptions options{ignore_separating ? Separating::ignored : Separating::hit};
+        checked_duration(duration);
         return answered(trace, [&](Trace* t) -> py::object {
-          const auto hit = cast(a, pose_a.value, v, b, pose_b.value, w, duration, options, t);
+          const auto hit = cast(a, pose_a.value, v, b, pose_b.value, w, duration, options_of(ignore_separating), t);
           return hit ? py::cast(*hit) : py::none();
         });
       },
@@ -193,6 +229,31 @@ Velocities in units of length and radians per unit of time, in world axes.
 >>> round(hit.t, 6)
 0.5
 )");
+  m.def(
+      "cast_all",
+      [](const Shaped& a, const Placement& pose_a, const Vector& linear_a, const Shaped& b, const Placement& pose_b,
+         const Vector& linear_b, double duration, const Vector& angular_a, const Vector& angular_b,
+         bool ignore_separating) {
+        std::vector<CastHit<double>> hits;
+        cast_all(a, pose_a.value, velocity_of(linear_a, angular_a, "a"), b, pose_b.value,
+                 velocity_of(linear_b, angular_b, "b"), checked_duration(duration), hits,
+                 options_of(ignore_separating));
+        return list_of(hits);
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("linear_a"), py::arg("b"), py::arg("pose_b"), py::arg("linear_b"),
+      py::arg("duration") = 1.0, py::arg("angular_a") = Vector{}, py::arg("angular_b") = Vector{},
+      py::arg("ignore_separating") = false,
+      "When each pair of convex pieces of two moving bodies first touches, as if it were alone: CastHits in the order "
+      "of "
+      "time.");
+  m.def(
+      "pose_at",
+      [](const Placement& pose, const Vector& linear, const Vector& angular, double t) {
+        if (!std::isfinite(t)) validate::fail("t", "a finite number", t);
+        return pose_at(pose.value, velocity_of(linear, angular, "velocity"), t);
+      },
+      py::arg("pose"), py::arg("linear"), py::arg("angular"), py::arg("t"),
+      "Where a body stands at time t that moves at a constant velocity and turns at a constant rate.");
 }
 
 }  // namespace

@@ -96,13 +96,6 @@ py::dict arguments(const Triangle<double>& t) {
   a["c"] = tuple_of(t.point(2));
   return a;
 }
-py::array_t<double> array_of_points(std::span<const Vec3d> points) {
-  py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
-  double* out = array.mutable_data();
-  for (const Vec3d& p : points)
-    for (std::size_t i = 0; i < 3; ++i) *out++ = p[i];
-  return array;
-}
 py::array_t<std::uint32_t> array_of_triangles(std::span<const Mesh<double>::Index> triangles) {
   py::array_t<std::uint32_t> array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
   std::uint32_t* out = array.mutable_data();
@@ -120,6 +113,22 @@ py::dict arguments(const UserConvex<double>& user) {
   return a;
 }
 py::dict arguments(const HalfSpace<double>&) { return {}; }
+py::dict counts_of(const MeshFindings& found) {
+  py::dict counts;
+  counts["triangles"] = found.triangles;
+  counts["repeated_triangles"] = found.repeated_triangles;
+  counts["without_area"] = found.without_area;
+  counts["slivers"] = found.slivers;
+  counts["repeated_points"] = found.repeated_points;
+  counts["flat_edges"] = found.flat_edges;
+  counts["convex_edges"] = found.convex_edges;
+  counts["concave_edges"] = found.concave_edges;
+  counts["open_edges"] = found.open_edges;
+  counts["irregular_edges"] = found.irregular_edges;
+  counts["t_junctions"] = found.t_junctions;
+  return counts;
+}
+
 py::dict arguments(const Mesh<double>& mesh) {
   py::dict a;
   a["vertices"] = array_of_points(mesh.points());
@@ -295,7 +304,13 @@ contacts push out of the front alone. Raises ValueError that names the index or 
       .def_property_readonly("faces",
                              [](const Of<Mesh<double>>& m) { return array_of_triangles(m.concrete().triangles()); })
       .def_property_readonly("closed", [](const Of<Mesh<double>>& m) { return m.concrete().closed(); })
-      .def_property_readonly("solid", [](const Of<Mesh<double>>& m) { return m.concrete().solid(); });
+      .def_property_readonly("solid", [](const Of<Mesh<double>>& m) { return m.concrete().solid(); })
+      .def(
+          "findings", [](const Of<Mesh<double>>& m) { return counts_of(findings(m.concrete())); },
+          R"(What the mesh is like: counts of its triangles and edges by name, as a dictionary.
+
+open_edges are rims, and seams that do not meet; t_junctions corners that lie inside another's open
+edge; slivers triangles lower than 1/1000 of their longest side. None of it is an error.)");
   shape_class<HeightField<double>>(m, "HeightField",
                                    R"(Heights over a grid in the plane of x and z, centred on the origin.
 

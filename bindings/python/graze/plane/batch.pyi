@@ -18,3 +18,23 @@ def distance(
 def contacts(
     a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, margin: float = 0.0, pairs: ArrayLike | None = None
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
+def closest(shape: Shape, pose: PoseLike, points: ArrayLike) -> NDArray[Any]: ...
+def raycast(
+    shape: Shape, pose: PoseLike, origins: ArrayLike, directions: ArrayLike, length: float = ...
+) -> NDArray[Any]: ...
+def raycast_any(
+    shape: Shape, pose: PoseLike, origins: ArrayLike, directions: ArrayLike, length: float = ...
+) -> NDArray[np.bool_]: ...
+def cast(
+    a: Shapes,
+    poses_a: Poses,
+    linear_a: ArrayLike,
+    b: Shapes,
+    poses_b: Poses,
+    linear_b: ArrayLike,
+    duration: float = 1.0,
+    angular_a: ArrayLike = 0.0,
+    angular_b: ArrayLike = 0.0,
+    ignore_separating: bool = False,
+    pairs: ArrayLike | None = None,
+) -> NDArray[Any]: ...
