@@ -343,6 +343,45 @@ struct Calls {
     if (told(graze_response_d(&contact, in.maybe(&ground), in.maybe(&body), in.maybe(&response))))
       require(!(response.normal_impulse < 0));
     told(graze_apply_impulse_d(in.maybe(&body), in.vector(), in.vector(), in.maybe(&after)));
+    pass_on(ground, body);
+    fall();
+  }
+
+  void pass_on(const GrazeStruckBodyd& ground, const GrazeStruckBodyd& body) {
+    GrazeStruckBodyd bodies[] = {ground, body};
+    const GrazePlaneStruckBodyd flat_body{{{in.number(), in.number()}, in.number(), {0, 0}},
+                                          {in.length(), in.length()}};
+    GrazePlaneStruckBodyd flat_bodies[] = {{}, flat_body};
+    const GrazeVec3d points[] = {in.vector(), in.vector()};
+    const GrazeVec2d flat_points[] = {{points[0].x, points[0].y}, {points[1].x, points[1].y}};
+    const std::uint32_t a = in.byte() % 3, b = in.byte() % 3, first = in.byte() % 4, count = in.byte() % 4;
+    const GrazeBlowd blow{a, b, {0, in.byte() < 8 ? in.number() : 1, 0}, in.length(), first, count};
+    const GrazePlaneBlowd flat{a, b, {0, blow.normal.y}, blow.restitution, first, count};
+    double impulses[2] = {};
+    GrazePassedOnd passed{};
+    const GrazeTouchingd touching{in.maybe(bodies), 0, 2, in.maybe(&blow),    0, 1,
+                                  in.maybe(points), 0, 2, in.maybe(impulses), 0};
+    if (told(graze_pass_on_d(in.maybe(&touching), in.length(), in.byte(), in.maybe(&passed))))
+      require(first + count <= 2 && a != b && passed.struck < 256);
+    const GrazePlaneTouchingd touching_flat{flat_bodies, 0, 2, &flat, 0, 1, flat_points, 0, 2, impulses, 0};
+    told(graze_plane_pass_on_d(in.maybe(&touching_flat), in.length(), in.byte(), in.maybe(&passed)));
+    GrazePlaneMotiond after;
+    told(graze_plane_apply_impulse_d(in.maybe(&flat_body), flat_points[0], flat_points[1], in.maybe(&after)));
+  }
+
+  void fall() {
+    GrazeFreeBodyd free{in.vector(), in.pose().rotation, in.vector(), in.vector(), in.vector()};
+    GrazePlaneFreeBodyd flat{{in.number(), in.number()}, in.pose2().rotation, {0, 1}, in.number(), in.length()};
+    GrazeVec3d angular;
+    double turning;
+    told(graze_free_set_angular_velocity_d(in.maybe(&free), in.vector()));
+    told(graze_free_advance_d(in.maybe(&free), in.vector(), in.number()));
+    told(graze_free_angular_velocity_d(in.maybe(&free), in.maybe(&angular)));
+    told(graze_plane_free_set_angular_velocity_d(in.maybe(&flat), in.number()));
+    told(graze_plane_free_advance_d(in.maybe(&flat), {in.number(), in.number()}, in.number()));
+    told(graze_plane_free_angular_velocity_d(in.maybe(&flat), in.maybe(&turning)));
+    GrazeMeshFindings found;
+    if (told(graze_shape_findings_d(shape(), in.maybe(&found)))) require(found.triangles > 0);
   }
 
   void ask_ray() {
@@ -541,6 +580,16 @@ struct Calls {
     told(graze_plane_raycast_any_d(b, in.maybe(&pose_b), &ray, in.length(), in.maybe(&yes)));
     told(graze_plane_raycast_all_d(b, &pose_b, in.maybe(&ray), in.length(), in.maybe(buffer), &hits, &count));
     const GrazePlaneMovingd fast = {a, pose_a, {{in.number(), 1}, 0}}, still = {b, pose_b, {{0, 0}, 0}};
+    std::uint8_t met[2];
+    GrazePlaneCastHitd met_at[2];
+    GrazePlaneClosestd nearest[2];
+    const GrazeVec2d points[] = {ray.origin, ray.direction};
+    const std::size_t stride = in.byte() < 8 ? sizeof points : 0;
+    told(graze_plane_closest_batch_d(a, &pose_a, in.maybe(points), 0, 2, in.maybe(nearest), 0));
+    told(graze_plane_raycast_batch_d(b, in.maybe(&pose_b), in.maybe(&ray), stride, 1, in.length(), in.maybe(met), 0,
+                                     in.maybe(&hit), 0));
+    told(graze_plane_cast_batch_d(in.maybe(&fast), 0, &still, 0, 1, in.length(), in.choice<GrazeSeparating>(2),
+                                  in.maybe(met), 0, in.maybe(met_at), 0));
     told(graze_plane_cast_all_d(in.maybe(&fast), &still, 1, in.choice<GrazeSeparating>(2), in.maybe(buffer), &casts,
                                 &count));
   }

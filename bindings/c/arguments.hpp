@@ -99,17 +99,23 @@ template <class T>
 }
 
 template <class T>
+bool good(const Vec3<T>& v) {
+  return !validate::fault_of_coordinate(v.x) && !validate::fault_of_coordinate(v.y) &&
+         !validate::fault_of_coordinate(v.z);
+}
+template <class T>
+bool good(const plane::Vec2<T>& v) {
+  return !validate::fault_of_coordinate(v.x) && !validate::fault_of_coordinate(v.y);
+}
+template <class T>
 bool good(const Pose<T>& pose) {
-  const Vec3<T>& t = pose.translation;
   const Quat<T>& q = pose.rotation;
-  return !validate::fault_of_coordinate(t.x) && !validate::fault_of_coordinate(t.y) &&
-         !validate::fault_of_coordinate(t.z) && unit(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  return good(pose.translation) && unit(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
 }
 template <class T>
 bool good(const plane::Pose2<T>& pose) {
   const plane::Rot2<T>& q = pose.rotation;
-  return !validate::fault_of_coordinate(pose.translation.x) && !validate::fault_of_coordinate(pose.translation.y) &&
-         unit(q.cosine * q.cosine + q.sine * q.sine);
+  return good(pose.translation) && unit(q.cosine * q.cosine + q.sine * q.sine);
 }
 
 /// A pose whose numbers may be asked about.

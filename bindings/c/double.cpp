@@ -1,4 +1,5 @@
 // The C interface for double. Its text is written once, with names in place of types: see the files that are included.
+#include "broad_phase_kinds.hpp"
 #include "c/callbacks.hpp"
 #include "c/capture.hpp"
 #include "c/draw.hpp"
@@ -33,6 +34,8 @@
 #include "c/space_simulations.inc"
 
 #include "c/plane.inc"
+
+#include "c/motion.inc"
 
 #include "c/plane_worlds.inc"
 

@@ -126,6 +126,19 @@ typedef struct GrazeIdPair {
   uint32_t a, b;
 } GrazeIdPair;
 
+// What a mesh is like (graze/shape/mesh_findings.hpp): counts, none of which is an error. Each edge is in one class.
+typedef struct GrazeMeshFindings {
+  size_t triangles;
+  size_t repeated_triangles;  // the corners of an earlier one in the same turn
+  size_t without_area;
+  size_t slivers;          // lower than 1/1000 of their longest side
+  size_t repeated_points;  // where an earlier one lies
+  size_t flat_edges, convex_edges, concave_edges;
+  size_t open_edges;       // of one triangle only: rims, and seams that do not meet
+  size_t irregular_edges;  // of more than two triangles, or run through twice in one direction
+  size_t t_junctions;      // open edges on whose inside the corner of another triangle lies
+} GrazeMeshFindings;
+
 // Which structure finds the boxes that overlap (graze/broad_phase.hpp says what each is good for); all find the same.
 typedef enum GrazeBroadPhaseKind GRAZE_AS_INT {
   GRAZE_DYNAMIC_TREE = 0,  // the one to take unless something speaks for another
@@ -560,6 +573,8 @@ typedef struct GrazeMassPropertiesd {
 } GrazeMassPropertiesd;
 
 GRAZE_C_API GrazeStatus graze_shape_mass_properties_d(const GrazeShaped *shape, GrazeMassPropertiesd *properties);
+// What is found in a mesh; another shape is refused.
+GRAZE_C_API GrazeStatus graze_shape_findings_d(const GrazeShaped *mesh, GrazeMeshFindings *findings);
 
 // Room for answers of no fixed number, which grows where it must and is used again by the next question. What a
 // function says that it gave belongs to the buffer and is valid until that is used again or destroyed.
@@ -795,6 +810,52 @@ GRAZE_C_API GrazeStatus graze_response_d(const GrazeStruckContactd *contact, con
 // The motion of a body after `impulse` at `point`.
 GRAZE_C_API GrazeStatus graze_apply_impulse_d(const GrazeStruckBodyd *body, GrazeVec3d impulse, GrazeVec3d point,
                                               GrazeMotiond *motion);
+
+// Blows that are passed on (graze/blows.hpp): what bodies do that touch each other while one of them is struck.
+
+// The points of two bodies that share a normal, struck together.
+typedef struct GrazeBlowd {
+  uint32_t a, b;       // places among the bodies
+  GrazeVec3d normal;   // unit, from a to b
+  double restitution;  // how much of the approach comes back, 0 to 1
+  uint32_t first_point, point_count;
+} GrazeBlowd;
+
+// Bodies that touch. Their motions are changed, and what each point pushed is added to its impulse.
+typedef struct GrazeTouchingd {
+  GrazeStruckBodyd *bodies;
+  size_t body_stride, body_count;
+  const GrazeBlowd *blows;
+  size_t blow_stride, blow_count;
+  const GrazeVec3d *points;  // in the world
+  size_t point_stride, point_count;
+  double *impulses;  // one for each point
+  size_t impulse_stride;
+} GrazeTouchingd;
+
+typedef struct GrazePassedOnd {
+  size_t struck;    // how many blows were struck
+  double approach;  // the fastest approach that is left
+} GrazePassedOnd;
+
+// Strikes the blow that approaches fastest until none does by more than `resting_speed` >= 0, or `most` were struck.
+GRAZE_C_API GrazeStatus graze_pass_on_d(const GrazeTouchingd *touching, double resting_speed, size_t most,
+                                        GrazePassedOnd *passed);
+
+// Free motion (graze/free_motion.hpp): a body that nothing touches, about its centre of mass.
+typedef struct GrazeFreeBodyd {
+  GrazeVec3d center;
+  GrazeQuatd rotation;  // of the principal axes
+  GrazeVec3d linear;
+  GrazeVec3d angular_momentum;  // in the world
+  GrazeVec3d inverse_inertia;   // about the principal axes; zero where the body does not turn
+} GrazeFreeBodyd;
+
+GRAZE_C_API GrazeStatus graze_free_angular_velocity_d(const GrazeFreeBodyd *body, GrazeVec3d *angular);
+// Sets the angular momentum; turning about an axis about which the body does not turn is left out.
+GRAZE_C_API GrazeStatus graze_free_set_angular_velocity_d(GrazeFreeBodyd *body, GrazeVec3d angular);
+// Moves the body by `duration`, of either sign, under a constant acceleration.
+GRAZE_C_API GrazeStatus graze_free_advance_d(GrazeFreeBodyd *body, GrazeVec3d acceleration, double duration);
 
 // Questions about many pairs (graze/batch.hpp) ------------------------------------------------------------------------
 //
@@ -1434,6 +1495,69 @@ GRAZE_C_API GrazeStatus graze_plane_distance_batch_d(const GrazePlaneBatchd *bat
                                                      size_t stride);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_d(const GrazePlaneBatchd *batch, double margin,
                                                      GrazeBufferd *buffer, GrazePlaneBatchContactsd *contacts);
+// One shape and many points or rays, and many pairs that move, as those of space.
+GRAZE_C_API GrazeStatus graze_plane_closest_batch_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                    const GrazeVec2d *points, size_t point_stride, size_t count,
+                                                    GrazePlaneClosestd *closest, size_t closest_stride);
+GRAZE_C_API GrazeStatus graze_plane_raycast_batch_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                    const GrazePlaneRayd *rays, size_t ray_stride, size_t count,
+                                                    double length, uint8_t *found, size_t found_stride,
+                                                    GrazePlaneRayHitd *hits, size_t hit_stride);
+GRAZE_C_API GrazeStatus graze_plane_cast_batch_d(const GrazePlaneMovingd *a, size_t a_stride,
+                                                 const GrazePlaneMovingd *b, size_t b_stride, size_t count,
+                                                 double duration, GrazeSeparating separating, uint8_t *found,
+                                                 size_t found_stride, GrazePlaneCastHitd *hits, size_t hit_stride);
+
+// Blows that are passed on and free motion in the plane (graze/plane/blows.hpp, graze/plane/free_motion.hpp), as those
+// of space.
+typedef struct GrazePlaneMotiond {
+  GrazeVec2d linear;
+  double angular;     // counter-clockwise
+  GrazeVec2d center;  // of mass
+} GrazePlaneMotiond;
+
+typedef struct GrazePlaneInverseMassd {
+  double mass, inertia;  // inverse; zeros of what does not move
+} GrazePlaneInverseMassd;
+
+typedef struct GrazePlaneStruckBodyd {
+  GrazePlaneMotiond motion;
+  GrazePlaneInverseMassd mass;
+} GrazePlaneStruckBodyd;
+
+typedef struct GrazePlaneBlowd {
+  uint32_t a, b;
+  GrazeVec2d normal;
+  double restitution;
+  uint32_t first_point, point_count;
+} GrazePlaneBlowd;
+
+typedef struct GrazePlaneTouchingd {
+  GrazePlaneStruckBodyd *bodies;
+  size_t body_stride, body_count;
+  const GrazePlaneBlowd *blows;
+  size_t blow_stride, blow_count;
+  const GrazeVec2d *points;
+  size_t point_stride, point_count;
+  double *impulses;
+  size_t impulse_stride;
+} GrazePlaneTouchingd;
+
+typedef struct GrazePlaneFreeBodyd {
+  GrazeVec2d center;
+  GrazeRot2d rotation;
+  GrazeVec2d linear;
+  double angular_momentum, inverse_inertia;
+} GrazePlaneFreeBodyd;
+
+GRAZE_C_API GrazeStatus graze_plane_apply_impulse_d(const GrazePlaneStruckBodyd *body, GrazeVec2d impulse,
+                                                    GrazeVec2d point, GrazePlaneMotiond *motion);
+GRAZE_C_API GrazeStatus graze_plane_pass_on_d(const GrazePlaneTouchingd *touching, double resting_speed, size_t most,
+                                              GrazePassedOnd *passed);
+GRAZE_C_API GrazeStatus graze_plane_free_angular_velocity_d(const GrazePlaneFreeBodyd *body, double *angular);
+GRAZE_C_API GrazeStatus graze_plane_free_set_angular_velocity_d(GrazePlaneFreeBodyd *body, double angular);
+GRAZE_C_API GrazeStatus graze_plane_free_advance_d(GrazePlaneFreeBodyd *body, GrazeVec2d acceleration,
+                                                   double duration);
 
 // Worlds of the plane (graze/plane/world.hpp): settings, executors and filters are those of worlds of space, and the
 // functions are the same but for sliding.
@@ -1871,6 +1995,7 @@ typedef struct GrazeMassPropertiesf {
 } GrazeMassPropertiesf;
 
 GRAZE_C_API GrazeStatus graze_shape_mass_properties_f(const GrazeShapef *shape, GrazeMassPropertiesf *properties);
+GRAZE_C_API GrazeStatus graze_shape_findings_f(const GrazeShapef *mesh, GrazeMeshFindings *findings);
 
 typedef struct GrazeBufferf GrazeBufferf;
 
@@ -2070,6 +2195,44 @@ GRAZE_C_API GrazeStatus graze_response_f(const GrazeStruckContactf *contact, con
                                          const GrazeStruckBodyf *b, GrazeResponsef *response);
 GRAZE_C_API GrazeStatus graze_apply_impulse_f(const GrazeStruckBodyf *body, GrazeVec3f impulse, GrazeVec3f point,
                                               GrazeMotionf *motion);
+
+typedef struct GrazeBlowf {
+  uint32_t a, b;
+  GrazeVec3f normal;
+  float restitution;
+  uint32_t first_point, point_count;
+} GrazeBlowf;
+
+typedef struct GrazeTouchingf {
+  GrazeStruckBodyf *bodies;
+  size_t body_stride, body_count;
+  const GrazeBlowf *blows;
+  size_t blow_stride, blow_count;
+  const GrazeVec3f *points;
+  size_t point_stride, point_count;
+  float *impulses;
+  size_t impulse_stride;
+} GrazeTouchingf;
+
+typedef struct GrazePassedOnf {
+  size_t struck;
+  float approach;
+} GrazePassedOnf;
+
+GRAZE_C_API GrazeStatus graze_pass_on_f(const GrazeTouchingf *touching, float resting_speed, size_t most,
+                                        GrazePassedOnf *passed);
+
+typedef struct GrazeFreeBodyf {
+  GrazeVec3f center;
+  GrazeQuatf rotation;
+  GrazeVec3f linear;
+  GrazeVec3f angular_momentum;
+  GrazeVec3f inverse_inertia;
+} GrazeFreeBodyf;
+
+GRAZE_C_API GrazeStatus graze_free_angular_velocity_f(const GrazeFreeBodyf *body, GrazeVec3f *angular);
+GRAZE_C_API GrazeStatus graze_free_set_angular_velocity_f(GrazeFreeBodyf *body, GrazeVec3f angular);
+GRAZE_C_API GrazeStatus graze_free_advance_f(GrazeFreeBodyf *body, GrazeVec3f acceleration, float duration);
 
 typedef struct GrazeBodiesf {
   const GrazeShapef *const *shapes;
@@ -2612,6 +2775,66 @@ GRAZE_C_API GrazeStatus graze_plane_distance_batch_f(const GrazePlaneBatchf *bat
                                                      size_t stride);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_f(const GrazePlaneBatchf *batch, float margin,
                                                      GrazeBufferf *buffer, GrazePlaneBatchContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_plane_closest_batch_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                    const GrazeVec2f *points, size_t point_stride, size_t count,
+                                                    GrazePlaneClosestf *closest, size_t closest_stride);
+GRAZE_C_API GrazeStatus graze_plane_raycast_batch_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                    const GrazePlaneRayf *rays, size_t ray_stride, size_t count,
+                                                    float length, uint8_t *found, size_t found_stride,
+                                                    GrazePlaneRayHitf *hits, size_t hit_stride);
+GRAZE_C_API GrazeStatus graze_plane_cast_batch_f(const GrazePlaneMovingf *a, size_t a_stride,
+                                                 const GrazePlaneMovingf *b, size_t b_stride, size_t count,
+                                                 float duration, GrazeSeparating separating, uint8_t *found,
+                                                 size_t found_stride, GrazePlaneCastHitf *hits, size_t hit_stride);
+
+typedef struct GrazePlaneMotionf {
+  GrazeVec2f linear;
+  float angular;
+  GrazeVec2f center;
+} GrazePlaneMotionf;
+
+typedef struct GrazePlaneInverseMassf {
+  float mass, inertia;
+} GrazePlaneInverseMassf;
+
+typedef struct GrazePlaneStruckBodyf {
+  GrazePlaneMotionf motion;
+  GrazePlaneInverseMassf mass;
+} GrazePlaneStruckBodyf;
+
+typedef struct GrazePlaneBlowf {
+  uint32_t a, b;
+  GrazeVec2f normal;
+  float restitution;
+  uint32_t first_point, point_count;
+} GrazePlaneBlowf;
+
+typedef struct GrazePlaneTouchingf {
+  GrazePlaneStruckBodyf *bodies;
+  size_t body_stride, body_count;
+  const GrazePlaneBlowf *blows;
+  size_t blow_stride, blow_count;
+  const GrazeVec2f *points;
+  size_t point_stride, point_count;
+  float *impulses;
+  size_t impulse_stride;
+} GrazePlaneTouchingf;
+
+typedef struct GrazePlaneFreeBodyf {
+  GrazeVec2f center;
+  GrazeRot2f rotation;
+  GrazeVec2f linear;
+  float angular_momentum, inverse_inertia;
+} GrazePlaneFreeBodyf;
+
+GRAZE_C_API GrazeStatus graze_plane_apply_impulse_f(const GrazePlaneStruckBodyf *body, GrazeVec2f impulse,
+                                                    GrazeVec2f point, GrazePlaneMotionf *motion);
+GRAZE_C_API GrazeStatus graze_plane_pass_on_f(const GrazePlaneTouchingf *touching, float resting_speed, size_t most,
+                                              GrazePassedOnf *passed);
+GRAZE_C_API GrazeStatus graze_plane_free_angular_velocity_f(const GrazePlaneFreeBodyf *body, float *angular);
+GRAZE_C_API GrazeStatus graze_plane_free_set_angular_velocity_f(GrazePlaneFreeBodyf *body, float angular);
+GRAZE_C_API GrazeStatus graze_plane_free_advance_f(GrazePlaneFreeBodyf *body, GrazeVec2f acceleration,
+                                                   float duration);
 
 typedef struct GrazePlaneWorldf GrazePlaneWorldf;
 

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <random>
+#include <string>
 
 #include "common/specimen.hpp"
 #include "graze/graze.h"
@@ -20,3 +22,5 @@
 #include "c/same_bits_plane_worlds.inc"
 
 #include "c/same_bits_plane_simulations.inc"
+
+#include "c/same_bits_motion.inc"

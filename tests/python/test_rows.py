@@ -149,3 +149,13 @@ def test_small_questions():
         graze.pose_at(None, (0, 0, 0), (0, 0, 0), math.inf)
     found = graze.Mesh(np.array([[0, 0, 0], [2, 0, 0], [0, 0, 2.0]]), np.array([[0, 1, 2]])).findings()
     assert (found["triangles"], found["open_edges"], found["flat_edges"], found["t_junctions"]) == (1, 3, 0, 0)
+
+
+@pytest.mark.parametrize("words,row", [(graze, (0, 0, 0, 0, 0, 0, 1.0)), (plane, (0, 0, 1.0, 0))])
+def test_rows_that_are_no_numbers_are_refused(words, row):
+    ball = words.Sphere(1) if words is graze else words.Circle(1)
+    for column in range(len(row)):
+        rows = np.array([row, row])
+        rows[1, column] = math.nan
+        with pytest.raises(ValueError, match=r"poses_b\[1\]"):
+            words.batch.overlap(ball, None, ball, rows)

@@ -1,6 +1,6 @@
 // Broad phases by themselves, and what a convex hull's support query looks at.
+#include "broad_phase_kinds.hpp"
 #include "graze/shape/support_trace.hpp"
-
 #include "shapes.hpp"
 
 namespace graze::python {
@@ -10,12 +10,8 @@ namespace {
 using Broad = BroadPhase<double>;
 
 std::unique_ptr<Broad> broad_phase_of(const std::string& kind) {
-  if (kind == "dynamic_tree") return make_dynamic_tree<double>();
-  if (kind == "sort_and_sweep") return make_sort_and_sweep<double>();
-  if (kind == "sweep_and_prune") return make_sweep_and_prune<double>();
-  if (kind == "hashed_grid") return make_hashed_grid<double>();
-  if (kind == "loose_octree") return make_loose_octree<double>();
-  if (kind == "bsp") return make_bsp<double>();
+  for (const BroadPhaseKind<double>& known : broad_phase_kinds<double>)
+    if (kind == known.name) return known.make();
   validate::fail("kind", "dynamic_tree, sort_and_sweep, sweep_and_prune, hashed_grid, loose_octree or bsp", kind);
 }
 

@@ -39,7 +39,9 @@ struct SpaceBatch {
   static void check(const Pose& p, const std::string& name, std::size_t i) {
     const Quatd& q = p.rotation;
     const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-    if (max_abs(p.translation) <= largest_magnitude<double> && std::abs(square - 1) <= unit_slack) return;
+    if (!validate::fault_of_coordinate(p.translation.x) && !validate::fault_of_coordinate(p.translation.y) &&
+        !validate::fault_of_coordinate(p.translation.z) && std::abs(square - 1) <= unit_slack)
+      return;
     const std::string path = name + "[" + std::to_string(i) + "]";
     validate::point(p.translation, path + ".translation");
     validate::fail(path + ".rotation", "a quaternion of unit length (within 1e-6)", std::sqrt(square));
