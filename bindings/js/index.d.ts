@@ -163,6 +163,26 @@ export type Sides = "both" | "front";
 export class Mesh extends Shape {
   /** Three indices for each triangle, counter-clockwise seen from outside. */
   constructor(points: Points, triangles: Points, options?: { sides?: Sides; solid?: boolean });
+  findings(): MeshFindings;
+}
+/** What a mesh is like, in numbers of triangles and edges. Each edge is in one of five classes. None is an error. */
+export interface MeshFindings {
+  triangles: number;
+  /** The corners of an earlier one in the same turn. */
+  repeatedTriangles: number;
+  withoutArea: number;
+  /** Lower than 1/1000 of their longest side. */
+  slivers: number;
+  repeatedPoints: number;
+  flatEdges: number;
+  convexEdges: number;
+  concaveEdges: number;
+  /** Of one triangle only: rims, and seams that do not meet. */
+  openEdges: number;
+  /** Of more than two triangles, or run through twice in one direction. */
+  irregularEdges: number;
+  /** Open edges on whose inside the corner of another triangle lies. */
+  tJunctions: number;
 }
 export class HeightField extends Shape {
   /** heights[r * columns + c]; NaN (or a hole, null in an array) is a hole. `spacing` defaults to [1, 1]. */
@@ -313,6 +333,11 @@ export function closestBatch(shape: Shape, pose: PoseLike, points: Numbers | Poi
 export function raycastBatch(
   shape: Shape, pose: PoseLike, rays: Numbers | ArrayLike<number>,
   options?: RayOptions & { length?: number }): Batch<RayHit> & { readonly found: Uint8Array };
+/** The first of A with the first of B, and so on. */
+export function castBatch(
+  a: readonly Moving[], b: readonly Moving[], options?: CastOptions): Batch<CastHit> & { readonly found: Uint8Array };
+/** The near pieces of each pair. */
+export function nearPiecesBatch(a: Bodies, b: Bodies, margin: number, places?: Places): PieceDistance[][];
 /** Answers in the module's memory, until disposed. */
 export interface Batch<T> extends Rows<T> {
   dispose(): void;
@@ -571,6 +596,47 @@ export interface Response {
 export function response(contact: StruckContact, a: StruckBody, b: StruckBody): Response;
 /** The motion of a body after `impulse` at `point`. */
 export function applyImpulse(body: StruckBody, impulse: Vec3Like, point: Vec3Like): Motion;
+/** Points of two bodies that share a normal, struck together. */
+export interface Blow {
+  /** Places among the bodies. */
+  readonly a: number;
+  readonly b: number;
+  /** Unit, from a to b. */
+  readonly normal: Vec3Like;
+  readonly points: readonly Vec3Like[];
+  /** From 0 to 1; default 0. */
+  readonly restitution?: number;
+}
+/** Until none approaches faster than `restingSpeed` (0), or `most` (1000) were struck. */
+export interface PassOnOptions {
+  readonly restingSpeed?: number;
+  readonly most?: number;
+}
+/** How passing on ended: how many blows were struck, and the fastest approach that is left. */
+export interface PassedOn {
+  struck: number;
+  approach: number;
+  /** What the points of each blow pushed. */
+  impulses: number[][];
+  bodies: Motion[];
+}
+/** What bodies do that touch each other while one of them is struck, as in a cradle. */
+export function passOn(bodies: readonly StruckBody[], blows: readonly Blow[], options?: PassOnOptions): PassedOn;
+/** A body that nothing touches. Its frame has the principal axes of inertia, about the centre of mass. */
+export interface FreeBody {
+  center: Vec3;
+  rotation: Quat;
+  linear: Vec3;
+  /** In the world. */
+  angularMomentum: Vec3;
+  inverseInertia: Vec3;
+}
+/** `inertia` about the axes of `rotation`; infinite where the body does not turn. */
+export function freeBody(
+  body: PoseLike & { readonly inertia: Vec3Like; readonly linear?: Vec3Like; readonly angular?: Vec3Like }): FreeBody;
+/** The body after `duration`, of either sign, under a constant acceleration. */
+export function advance(body: FreeBody, duration: number, acceleration?: Vec3Like): FreeBody;
+export function angularVelocity(body: FreeBody): Vec3;
 
 // --- Broad phases ---
 
@@ -985,6 +1051,63 @@ export declare namespace plane {
     pieceA: number;
     pieceB: number;
   }
+  /** As `Bodies` of space, with four numbers for a pose: where it is, and the cosine and sine of its rotation. */
+  interface Bodies {
+    readonly shapes: Shape | readonly Shape[];
+    readonly poses?: Numbers | ArrayLike<number>;
+    readonly translations?: Numbers | ArrayLike<number>;
+    readonly rotations?: Numbers | ArrayLike<number>;
+  }
+  function overlapBatch(a: Bodies, b: Bodies, places?: Places): Uint8Array;
+  function distanceBatch(a: Bodies, b: Bodies, places?: Places): Batch<Distance>;
+  function contactsBatch(
+    a: Bodies, b: Bodies, margin?: number, places?: Places): Pick<Contacts, "overlap" | "manifolds">[];
+  function closestBatch(shape: Shape, pose: PoseLike, points: Numbers | Points): Batch<Closest>;
+  /** Four numbers a ray: origin and direction. */
+  function raycastBatch(
+    shape: Shape, pose: PoseLike, rays: Numbers | ArrayLike<number>,
+    options?: { length?: number }): Batch<RayHit> & { readonly found: Uint8Array };
+  function castBatch(
+    a: readonly Moving[], b: readonly Moving[], options?: CastOptions): Batch<CastHit> & { readonly found: Uint8Array };
+  interface StruckBody {
+    /** Infinity for what does not move. */
+    readonly mass: number;
+    /** Absent: that of `shape`, and without one the body does not turn. */
+    readonly inertia?: number;
+    readonly shape?: Shape;
+    /** Of the centre of mass. */
+    readonly translation?: ArrayLike<number>;
+    readonly linear?: ArrayLike<number>;
+    readonly angular?: number;
+  }
+  interface Motion {
+    linear: Vec2;
+    angular: number;
+    center: Vec2;
+  }
+  interface Blow {
+    readonly a: number;
+    readonly b: number;
+    readonly normal: ArrayLike<number>;
+    readonly points: readonly ArrayLike<number>[];
+    readonly restitution?: number;
+  }
+  function applyImpulse(body: StruckBody, impulse: ArrayLike<number>, point: ArrayLike<number>): Motion;
+  function passOn(
+    bodies: readonly StruckBody[], blows: readonly Blow[],
+    options?: PassOnOptions): Omit<PassedOn, "bodies"> & { bodies: Motion[] };
+  interface FreeBody {
+    center: Vec2;
+    /** The cosine and sine of the angle. */
+    rotation: Vec2;
+    linear: Vec2;
+    angularMomentum: number;
+    inverseInertia: number;
+  }
+  function freeBody(
+    body: PoseLike & { readonly inertia: number; readonly linear?: ArrayLike<number>; readonly angular?: number }): FreeBody;
+  function advance(body: FreeBody, duration: number, acceleration?: ArrayLike<number>): FreeBody;
+  function angularVelocity(body: FreeBody): number;
   interface Body extends PoseLike {
     readonly shape: Shape;
     readonly linear?: ArrayLike<number>;

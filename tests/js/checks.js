@@ -240,7 +240,21 @@ export const checks = [
       }
       const near = entry.closestBatch(shapes[3], list[1], rays.slice(0, 30));
       equal(near.at(2), entry.closest(shapes[3], list[1], rays.slice(6, 9)), "closest");
-      hits.dispose(), near.dispose(), poses.dispose();
+      const movers = list.map((at, i) => ({ shape: shapes[i % shapes.length], ...at, linear: vector(next, 3) }));
+      const others = movers.map((body) => ({ ...body, translation: body.translation.map((x) => x + 1), linear: [0, 0, 0] }));
+      const met = entry.castBatch(movers, others, { duration: 2 });
+      for (let i = 0; i < movers.length; ++i) {
+        const alone = entry.cast(movers[i], others[i], { duration: 2 });
+        equal(met.found[i] === 1, alone !== null, "meeting");
+        if (alone !== null) equal(met.at(i), alone, "cast");
+      }
+      throws(() => entry.castBatch(movers, []), `b: expected ${movers.length} moving bodies, as many as in a, got 0`,
+             entry.InvalidValue);
+      const pieces = entry.nearPiecesBatch({ shapes: shapes[0], poses }, { shapes: shapes[1], poses }, 0.5);
+      equal(pieces.length, count, "pieces of each pair");
+      list.slice(0, 20).forEach((at, i) =>
+        equal(pieces[i], entry.nearPieces(shapes[0], at, shapes[1], at, 0.5), "near pieces"));
+      met.dispose(), hits.dispose(), near.dispose(), poses.dispose();
       throws(
         () => entry.overlapBatch({ shapes, poses: new Float32Array(14) }, { shapes, poses: new Float32Array(14) }),
         "batch.a.pose_count: expected as many as shapes, or one, got 2", entry.InvalidValue);
@@ -369,6 +383,79 @@ export const checks = [
     close([moved.linear, moved.angular], [0, 2, 0, 0, 0, 4], 1e-12, "impulse");
     throws(() => graze.response({ point: [0, 0, 0], normal: [0, 1, 0] }, { mass: 1 }, { mass: 1 }),
            "a.inertia: expected three numbers, or a shape, got undefined");
+  }],
+
+  ["blows that are passed on, and free motion", ({ graze, double }) => {
+    for (const entry of [graze, double])
+      for (const [words, axis, shape] of [
+        [entry, [1, 0, 0], new entry.Sphere(0.5)], [entry.plane, [1, 0], new entry.plane.Circle(0.5)]]) {
+        const at = (x) => axis.map((unit) => unit * x);
+        const balls = [0, 1, 2, 3].map((i) => ({ mass: 1, shape, translation: at(i), linear: at(i === 0 ? 4 : 0) }));
+        const blows = [0, 1, 2].map((a) => ({ a, b: a + 1, normal: axis, points: [at(a + 0.5)], restitution: 1 }));
+        const passed = words.passOn(balls, blows, { restingSpeed: 0.01 });
+        close(passed.bodies.map((body) => body.linear[0]), [0, 0, 0, 4], 1e-5, "a cradle");
+        close(passed.impulses.flat(), [4, 4, 4], 1e-5, "impulses");
+        equal(passed.struck, 3, "blows");
+        equal(words.passOn(balls, blows, { most: 1 }).struck, 1, "at most one");
+        throws(() => words.passOn(balls, [{ ...blows[0], b: 7 }]),
+               "touching.blows[0].b: expected a place among the bodies, another than a, got 7", entry.InvalidValue);
+        const moved = words.applyImpulse({ mass: 2, inertia: words === entry ? [4, 4, 4] : 4 }, at(3), at(0));
+        close(moved.linear, at(1.5), 1e-6, "an impulse");
+      }
+    let book = double.freeBody({ inertia: [1, 2, 3], linear: [1, 0, 0], angular: [0.01, 5, 0] });
+    const { angularMomentum } = book;
+    for (let i = 0; i < 60; ++i) book = double.advance(book, 1 / 60, [0, -10, 0]);
+    equal(book.angularMomentum, angularMomentum, "momentum stays bit for bit");
+    close(book.center, [1, -5, 0], 1e-12, "it falls");
+    close(double.angularVelocity(double.freeBody({ inertia: [1, 2, 3], angular: [1, 2, 3] })), [1, 2, 3], 1e-12, "turning");
+    const wheel = double.plane.advance(double.plane.freeBody({ inertia: 2, angular: 3 }), 0.5);
+    close([...wheel.rotation, wheel.angularMomentum, double.plane.angularVelocity(wheel)],
+          [Math.cos(1.5), Math.sin(1.5), 6, 3], 1e-12, "in the plane");
+    throws(() => double.freeBody({ inertia: [-1, 1, 1] }), "body.inverse_inertia[0]: expected a finite number >= 0, got -1");
+  }],
+
+  ["batches of the plane are each alone, and a mesh says what it found", ({ graze, double }) => {
+    for (const entry of [graze, double]) {
+      const { plane } = entry;
+      const next = random(9);
+      const vec2 = (reach) => vector(next, reach).slice(0, 2);
+      const shapes = [new plane.Box([1, 2]), new plane.Circle(0.5), new plane.Ellipse([1, 0.5])];
+      const translations = Array.from({ length: 60 }, () => vec2(2));
+      const turned = Array.from({ length: 60 }, () => next() * 6);
+      const each = translations.map((_, i) => shapes[i % 3]);
+      const here = { shapes: shapes[0], translations: [0, 0] };
+      const moved = { shapes: each, translations: translations.flat() };
+      const touch = plane.overlapBatch(here, moved);
+      const distances = plane.distanceBatch(here, moved);
+      const contacts = plane.contactsBatch(here, moved, 0.25);
+      translations.forEach((translation, i) => {
+        const pair = [shapes[0], {}, each[i], { translation }];
+        equal(touch[i] === 1, plane.overlap(...pair), "overlap");
+        equal(distances.at(i), plane.distance(...pair), "distance");
+        equal(contacts[i].manifolds, plane.contacts(...pair, 0.25).manifolds, "contacts");
+      });
+      ok(touch.includes(1) && touch.includes(0), "that some touch and some do not");
+      const numbers = turned.flatMap((angle, i) => [...translations[i], Math.cos(angle), Math.sin(angle)]);
+      equal(plane.overlapBatch(here, { shapes: each, poses: numbers }).length, 60, "poses of four numbers");
+      const rays = translations.flatMap((from) => [...from.map((x) => 2 * x), ...vec2(1)]);
+      const hits = plane.raycastBatch(shapes[2], { rotation: 0.5 }, rays, { length: 5 });
+      const near = plane.closestBatch(shapes[0], { rotation: 0.5 }, translations);
+      const bodies = translations.map((translation, i) => ({ shape: each[i], translation, linear: vec2(3), angular: 1 }));
+      const met = plane.castBatch(bodies, bodies.map(() => ({ shape: shapes[0] })));
+      translations.forEach((point, i) => {
+        const [origin, direction] = [rays.slice(4 * i, 4 * i + 2), rays.slice(4 * i + 2, 4 * i + 4)];
+        const hit = plane.raycast(shapes[2], { rotation: 0.5 }, { origin, direction, length: 5 });
+        equal(hits.found[i] === 1 ? hits.at(i) : null, hit, "ray");
+        equal(near.at(i), plane.closest(shapes[0], { rotation: 0.5 }, point), "closest");
+        equal(met.found[i] === 1 ? met.at(i) : null, plane.cast(bodies[i], { shape: shapes[0] }), "cast");
+      });
+      ok(hits.found.includes(1) && hits.found.includes(0), "that some rays hit and some do not");
+      distances.dispose(), hits.dispose(), near.dispose(), met.dispose();
+      const mesh = new entry.Mesh([[0, 0, 0], [2, 0, 0], [0, 0, 2]], [[0, 1, 2]]);
+      const { triangles, openEdges, flatEdges, tJunctions } = mesh.findings();
+      equal([triangles, openEdges, flatEdges, tJunctions], [1, 3, 0, 0], "findings");
+      mesh.dispose(), shapes.forEach((shape) => shape.dispose());
+    }
   }],
 
   ["every broad phase finds the pairs of brute force", ({ graze, queries }) => {

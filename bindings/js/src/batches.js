@@ -29,9 +29,12 @@ export function rowsClass(core) {
   };
 }
 
-export function batches(core, layout, args, shapes, ask, Rows, Handle) {
-  const { of, numbersOf } = shapes;
+/** The questions of a dimension about many. */
+export function batches(core, layout, dimension, Rows, Handle) {
+  const { types, args, of, pose, numbersOf, ask } = dimension;
   const { call } = ask;
+  const [vectorSize, turnSize] = ["translation", "rotation"].map((part) => types.pose.members[part].size / core.numberSize);
+  const poseSize = vectorSize + turnSize;
 
   /** Memory that answers stand in until they are disposed of. */
   class Store extends Handle {
@@ -69,22 +72,22 @@ export function batches(core, layout, args, shapes, ask, Rows, Handle) {
     return new Batch(type, store, length);
   };
 
-  /** Where bodies' poses stand: seven numbers each, or translations and rotations by themselves. */
+  /** Where bodies' poses stand: one behind the other, or translations and rotations by themselves. */
   const posesAt = (value, path) => {
     const number = core.numberSize;
     if (value.poses !== undefined) {
-      const { pointer, count } = numbersOf(value.poses, 7, `${path}.poses`);
+      const { pointer, count } = numbersOf(value.poses, poseSize, `${path}.poses`);
       return {
-        translations: pointer, translationStride: 7 * number, rotations: pointer + 3 * number,
-        rotationStride: 7 * number, poseCount: count };
+        translations: pointer, translationStride: poseSize * number, rotations: pointer + vectorSize * number,
+        rotationStride: poseSize * number, poseCount: count };
     }
-    const moved = numbersOf(value.translations, 3, `${path}.translations`);
-    const at = { translations: moved.pointer, translationStride: 3 * number, poseCount: moved.count };
+    const moved = numbersOf(value.translations, vectorSize, `${path}.translations`);
+    const at = { translations: moved.pointer, translationStride: vectorSize * number, poseCount: moved.count };
     if (value.rotations === undefined) return at;
-    const turned = numbersOf(value.rotations, 4, `${path}.rotations`);
+    const turned = numbersOf(value.rotations, turnSize, `${path}.rotations`);
     if (turned.count !== moved.count)
       throw new InvalidValue(`${path}.rotations: expected ${moved.count} of them, got ${turned.count}`);
-    return { ...at, rotations: turned.pointer, rotationStride: 4 * number };
+    return { ...at, rotations: turned.pointer, rotationStride: turnSize * number };
   };
   const writeBodies = (value, place, path) => {
     const list = Array.isArray(value.shapes) ? value.shapes : [value.shapes];
@@ -106,9 +109,28 @@ export function batches(core, layout, args, shapes, ask, Rows, Handle) {
     call("batch_size", p, length);
     return { pointer: p, length: core.data.getUint32(length, true) };
   };
+  /** Parts of a list, by where each ends. */
+  const splitAt = (all, ends, count) =>
+    Array.from({ length: count }, (_, i) => {
+      const end = (at) => (at < 0 ? 0 : core.data.getUint32(ends + 4 * at, true));
+      return all.slice(end(i - 1), end(i));
+    });
   const bytes = (pointer, length) => new Uint8Array(core.memory().buffer, pointer, length).slice();
 
-  return ask.framed({
+  /** Moving bodies one behind the other: where they begin. */
+  const moving = (bodies, path) => {
+    const first = core.room(Math.max(1, bodies.length) * types.moving.size);
+    bodies.forEach((body, i) => ask.writeMoving(first + i * types.moving.size, body, `${path}[${i}]`));
+    return first;
+  };
+  /** Answers of which there need not be one each: `found` says so. */
+  const foundOf = (type, count, fill) => {
+    const found = core.room(Math.max(1, count));
+    const hits = filled(type, count, (p) => fill(found, p));
+    return Object.assign(hits, { found: bytes(found, count) });
+  };
+
+  return {
     overlapBatch(a, b, places) {
       const { pointer, length } = batch(a, b, places);
       const touch = core.room(Math.max(1, length));
@@ -117,7 +139,7 @@ export function batches(core, layout, args, shapes, ask, Rows, Handle) {
     },
     distanceBatch(a, b, places) {
       const { pointer, length } = batch(a, b, places);
-      return filled(layout.distance, length, (p) => call("distance_batch", pointer, p, 0));
+      return filled(types.distance, length, (p) => call("distance_batch", pointer, p, 0));
     },
     contactsBatch(a, b, margin = 0, places = undefined) {
       const { pointer } = batch(a, b, places);
@@ -130,16 +152,28 @@ export function batches(core, layout, args, shapes, ask, Rows, Handle) {
       }));
     },
     closestBatch(shape, at, points) {
-      const { pointer, count } = numbersOf(points, 3, "points");
-      return filled(layout.closest, count, (p) =>
-        call("closest_batch", of(shape), args.pose(at, "pose"), pointer, 0, count, p, 0));
+      const { pointer, count } = numbersOf(points, vectorSize, "points");
+      return filled(types.closest, count, (p) =>
+        call("closest_batch", of(shape), pose(at, "pose"), pointer, 0, count, p, 0));
     },
     raycastBatch(shape, at, rays, options) {
-      const { pointer, count } = numbersOf(rays, 6, "rays");
-      const found = core.room(Math.max(1, count));
-      const question = [of(shape), args.pose(at, "pose"), pointer, 0, count, options?.length ?? Infinity, ask.back(options)];
-      const hits = filled(layout.rayHit, count, (p) => call("raycast_batch", ...question, found, 0, p, 0));
-      return Object.assign(hits, { found: bytes(found, count) });
+      const { pointer, count } = numbersOf(rays, 2 * vectorSize, "rays");
+      const question = [of(shape), pose(at, "pose"), pointer, 0, count, options?.length ?? Infinity, ...ask.backs(options)];
+      return foundOf(types.rayHit, count, (found, p) => call("raycast_batch", ...question, found, 0, p, 0));
     },
-  });
+    castBatch(a, b, options) {
+      if (a.length !== b.length)
+        throw new InvalidValue(`b: expected ${a.length} moving bodies, as many as in a, got ${b.length}`);
+      const question = [moving(a, "a"), 0, moving(b, "b"), 0, a.length, options?.duration ?? 1, ask.separating(options)];
+      return foundOf(types.castHit, a.length, (found, p) => call("cast_batch", ...question, found, 0, p, 0));
+    },
+    nearPiecesBatch(a, b, margin, places) {
+      const { pointer, length } = batch(a, b, places);
+      const ends = core.room(4);
+      const all = ask.listed(layout.pieceDistance, (buffer, first, count) =>
+        call("near_pieces_batch", pointer, margin, buffer, first, ends, count));
+      // Ends are as many as pairs, and counted in pieces.
+      return splitAt(all, core.data.getUint32(ends, true), length);
+    },
+  };
 }

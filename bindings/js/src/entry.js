@@ -51,7 +51,7 @@ export function queriesEntry(scalar, address) {
     Handle,
     ...shapes.classes,
     ...plain,
-    ...batches(core, layout, args, shapes, ask, Rows, Handle),
+    ...ask.framed(batches(core, layout, dimension, Rows, Handle)),
     ...broadPhases(core, layout, args, ask, Handle),
     World: worlds.World,
   };

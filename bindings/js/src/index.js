@@ -5,10 +5,10 @@ import { wholeEntry } from "./whole.js";
 const { names } = wholeEntry("f", () => new URL("./graze.wasm", import.meta.url));
 
 export const {
-  init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle,
-  Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
-  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, featureCorners, closest, raycast,
-  raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
-  BroadPhase, World, hullLayers, protocolShape, traced, draw, response, applyImpulse, Simulation, State, captureHead,
-  replay, plane,
+  init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle, Cylinder,
+  Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap, mayOverlap,
+  distance, distanceUpTo, within, nearPieces, contacts, contactMargin, featureCorners, closest, raycast, raycastAny,
+  raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch, castBatch,
+  nearPiecesBatch, BroadPhase, World, hullLayers, protocolShape, traced, draw, response, applyImpulse, passOn, freeBody,
+  advance, angularVelocity, Simulation, State, captureHead, replay, plane,
 } = names;

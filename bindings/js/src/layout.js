@@ -78,8 +78,6 @@ export function layouts(core) {
   const quat = several(num, 4);
   const mat3 = several(vec3, 3);
   const id = struct({ index: u32, generation: u32 });
-  const motion = struct({ linear: vec3, angular: vec3, center: vec3 });
-  const inverseMass = struct({ mass: num, inertia: mat3 });
   const filter = struct({ category: u64, mask: u64, group: i32 });
   const contacts = struct({
     overlap: bool, certainty, error: num, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 });
@@ -90,14 +88,20 @@ export function layouts(core) {
   const pair = struct({ overlap: bool, firstManifold: u32, manifoldCount: u32 });
 
   /** The structs of a number of dimensions: its vectors, its turnings and rotations, and what differs otherwise. */
-  const dimension = (vector, turning, rotation, { rayHitMembers, inertiaMembers }) => {
+  const dimension = (vector, turning, rotation, { rayHitMembers, inertiaMembers, principalInertia, inertia }) => {
+    const motion = struct({ linear: vector, angular: turning, center: vector });
+    const inverseMass = struct({ mass: num, inertia });
     const pose = struct({ translation: vector, rotation });
     const distance = struct({ distance: num, normal: vector, a: vector, b: vector, certainty, error: num });
     const contactPoint = { a: vector, b: vector, distance: num, feature: u32, weight: num };
     const castHit = struct({ t: num, point: vector, normal: vector, depth: num, certainty, pieceA: u32, pieceB: u32 });
     const rayHit = struct({ t: num, point: vector, normal: vector, piece: u32, ...rayHitMembers });
     return {
-      vector, turning, pose, distance, castHit, rayHit,
+      vector, turning, pose, distance, castHit, rayHit, motion, inverseMass,
+      struckBody: struct({ motion, mass: inverseMass }),
+      blow: struct({ a: u32, b: u32, normal: vector, restitution: num, firstPoint: u32, pointCount: u32 }),
+      freeBody: struct({
+        center: vector, rotation, linear: vector, angularMomentum: turning, inverseInertia: principalInertia }),
       contactPoint: struct(contactPoint),
       aabb: struct({ lower: vector, upper: vector }),
       child: struct({ shape: u32, pose }),
@@ -131,14 +135,16 @@ export function layouts(core) {
     };
   };
   const ofSpace = dimension(vec3, vec3, quat, {
-    rayHitMembers: {}, inertiaMembers: { inertiaDiagonal: vec3, inertiaOrientation: quat } });
+    rayHitMembers: {}, inertiaMembers: { inertiaDiagonal: vec3, inertiaOrientation: quat }, principalInertia: vec3,
+    inertia: mat3 });
 
   return {
-    u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, id, motion, inverseMass, filter, contacts, support, pair,
+    u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, id, filter, contacts, support, pair,
     several, struct, realVector,
     ...ofSpace,
     plane: {
-      ...dimension(vec2, num, vec2, { rayHitMembers: { certainty }, inertiaMembers: { inertia: num } }),
+      ...dimension(vec2, num, vec2, {
+        rayHitMembers: { certainty }, inertiaMembers: { inertia: num }, principalInertia: num, inertia: num }),
       massProperties: struct({ area: num, center: vec2, inertia: num }),
     },
     broadPhasePart: struct({ box: ofSpace.aabb, depth: u32 }),
@@ -164,12 +170,19 @@ export function layouts(core) {
     jointDrive: struct({
       space, mode: enumeration(u8, ["force", "acceleration"]), axis: enumeration(u8, ["x", "y", "z"]),
       positionTarget: num, velocityTarget: num, stiffness: num, damping: num, maxForce: num }),
-    struckBody: struct({ motion, mass: inverseMass }),
+    touching: struct({
+      bodies: u32, bodyStride: u32, bodyCount: u32, blows: u32, blowStride: u32, blowCount: u32, points: u32,
+      pointStride: u32, pointCount: u32, impulses: u32, impulseStride: u32 }),
+    passedOn: struct({ struck: u32, approach: num }),
+    findings: struct(
+      Object.fromEntries([
+        "triangles", "repeatedTriangles", "withoutArea", "slivers", "repeatedPoints", "flatEdges", "convexEdges",
+        "concaveEdges", "openEdges", "irregularEdges", "tJunctions"].map((name) => [name, u32]))),
     struckContact: struct({ point: vec3, normal: vec3, restitution: num, friction: num }),
     response: struct({
       approach: vec3, approachAlongNormal: num, approachTangential: vec3,
       atFault: enumeration(i32, ["neither", "a", "b", "both"]), effectiveMass: num, normalImpulse: num, sliding: vec3,
-      stoppingImpulse: vec3, frictionLimit: num, frictionImpulse: vec3, impulse: vec3, a: motion, b: motion }),
+      stoppingImpulse: vec3, frictionLimit: num, frictionImpulse: vec3, impulse: vec3, a: ofSpace.motion, b: ofSpace.motion }),
     captureHead: struct({ simulation: bool, plane: bool, single: bool }),
     replayReport: struct({
       simulation: bool, plane: bool, cut: bool, differs: bool, frame: u32, call: u32, what: several(u8, 128), frames: u32,

@@ -1,7 +1,10 @@
 // The same words in two dimensions.
 
+import { batches } from "./batches.js";
+import { InvalidValue, shown } from "./core.js";
 import { drawings, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
+import { freeMotion, passing } from "./motion.js";
 import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
 import { sides } from "./shapes.js";
@@ -136,12 +139,30 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const worlds = worldClasses(core, layout, dimension, Rows, Handle);
   const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
 
+  const { nearPiecesBatch, ...batched } = batches(core, layout, dimension, Rows, Handle); // which only space has
+  const inverseMass = (body, path) => {
+    const { mass, inertia, shape } = body;
+    if (!(mass > 0)) throw new InvalidValue(`${path}.mass: expected a number > 0, got ${shown(mass)}`);
+    const whole = inertia ?? (shape === undefined ? Infinity : inertiaOf(shape, mass, path));
+    if (!(whole > 0)) throw new InvalidValue(`${path}.inertia: expected a number > 0, got ${shown(whole)}`);
+    return { mass: 1 / mass, inertia: 1 / whole };
+  };
+  const inertiaOf = (shape, mass, path) => {
+    const { area, inertia } = answered(types.massProperties, (p) =>
+      core.call("plane_shape_mass_properties", of(shape, `${path}.shape`), p));
+    return mass === Infinity ? mass : (mass * inertia) / area;
+  };
+  const motion = { ...dimension, inverseMass, turnOf: (turn) => turn ?? 0, inverseInertiaOf: (inertia) => 1 / inertia };
+
   const names = {
     World: worlds.World, ...simulations,
     Shape, Circle, Capsule, Box, Segment, Convex, Ellipse, HalfPlane, Polygon, Chain, Compound,
     ...ask.framed({
       ...ask.asked,
       ...ask.untraced,
+      ...batched,
+      ...passing(core, layout, motion),
+      ...freeMotion(core, layout, motion),
       poseAt(body, t) {
         const { linear, angular } = body;
         const velocity = written(types.velocity, { linear, angular }, "velocity");

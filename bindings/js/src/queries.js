@@ -9,5 +9,5 @@ export const {
   Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
   mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, featureCorners, closest, raycast,
   raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
-  BroadPhase, World,
+  castBatch, nearPiecesBatch, BroadPhase, World,
 } = names;

@@ -57,12 +57,15 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
 
   const ray = ({ origin, direction }) => written(types.ray, { origin, direction }, "ray");
   const length = (value) => value.length ?? Infinity;
-  const moving = (body, path) => {
+  const writeMoving = (p, body, path) => {
     const at = pose(body, path);
-    const p = core.room(types.moving.size);
     const { linear, angular } = body;
     types.moving.write(p, { shape: of(body.shape, `${path}.shape`), linear, angular }, path);
     core.copy(at, p + types.moving.offset.pose, types.moving.members.pose.size);
+  };
+  const moving = (body, path) => {
+    const p = core.room(types.moving.size);
+    writeMoving(p, body, path);
     return p;
   };
   const separating = (options) => named(separations, options?.separating ?? "hit", "separating");
@@ -135,7 +138,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
 
   return {
     asked: asked(""), untraced, framed, explaining, traced, call, two, yes, found, room, place, listed, manifolds, contactsAt, ray, length,
-    moving, separating, back, backs };
+    moving, writeMoving, separating, back, backs };
 }
 
 /** The questions that there are in space alone, on top of those of both dimensions. */

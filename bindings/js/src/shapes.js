@@ -174,6 +174,9 @@ export function shapeClasses(core, layout, args, Handle) {
         }),
       );
     }
+    findings() {
+      return core.frame(() => answered(layout.findings, (p) => core.call("shape_findings", of(this), p)));
+    }
   }
   class HeightField extends Shape {
     constructor(heights, columns, rowCount, options = {}) {

@@ -3,6 +3,7 @@
 import { created } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
+import { freeMotion, passing } from "./motion.js";
 
 const axes = ["x", "y", "z"];
 const jointKinds = ["fixed", "ball", "hinge", "slider"];
@@ -188,7 +189,8 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
   return { Simulation, State };
 }
 
-export function blows(core, layout, args, shapes) {
+export function blows(core, layout, dimension, shapes) {
+  const { args, ask } = dimension;
   const { written, answered, vec3 } = args;
   const noTurn = [0, 0, 0, 1];
   const inverseMass = (body, path) => {
@@ -202,20 +204,19 @@ export function blows(core, layout, args, shapes) {
     return layout.inverseMass.read(p);
   };
   const bodyAt = (body, path) => {
-    const center = body.translation ?? [0, 0, 0];
-    const { linear, angular } = body;
-    return written(layout.struckBody, { motion: { linear, angular, center }, mass: inverseMass(body, path) }, path);
+    const { linear, angular, translation } = body;
+    const motion = { linear, angular, center: translation };
+    return written(layout.struckBody, { motion, mass: inverseMass(body, path) }, path);
   };
-  return {
-    response: (contact, a, b) =>
-      core.frame(() => {
-        const { point, normal, restitution = 0, friction = 0.6 } = contact;
-        const at = written(layout.struckContact, { point, normal, restitution, friction }, "contact");
-        return answered(layout.response, (p) => core.call("response", at, bodyAt(a, "a"), bodyAt(b, "b"), p));
-      }),
-    applyImpulse: (body, impulse, point) =>
-      core.frame(() =>
-        answered(layout.motion, (p) =>
-          core.call("apply_impulse", bodyAt(body, "body"), vec3(impulse, "impulse"), vec3(point, "point"), p))),
-  };
+  const motion = {
+    ...dimension, inverseMass, turnOf: (turn) => turn ?? [0, 0, 0], inverseInertiaOf: (inertia) => Array.from(inertia, (i) => 1 / i) };
+  return ask.framed({
+    response(contact, a, b) {
+      const { point, normal, restitution = 0, friction = 0.6 } = contact;
+      const at = written(layout.struckContact, { point, normal, restitution, friction }, "contact");
+      return answered(layout.response, (p) => core.call("response", at, bodyAt(a, "a"), bodyAt(b, "b"), p));
+    },
+    ...passing(core, layout, motion),
+    ...freeMotion(core, layout, motion),
+  });
 }

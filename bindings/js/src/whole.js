@@ -21,7 +21,7 @@ export function wholeEntry(scalar, address) {
     core,
     names: {
       ...names,
-      ...blows(core, layout, args, shapes),
+      ...blows(core, layout, dimension, shapes),
       ...simulations,
       ...replays(core, layout, worlds, ofPlane.worlds),
       hullLayers,
