@@ -206,6 +206,8 @@ void add_row_batches(py::module_& batch, const std::string& sides_doc) {
       },
       "Whether each of many rays hits anything: an array of bool.");
 
+  const py::object still =
+      Words::turning_size == 1 ? py::object(py::float_(0.0)) : py::object(py::make_tuple(0.0, 0.0, 0.0));
   batch.def(
       "cast",
       [type = cast_row_type<Words>()](Object a, Object poses_a, Object linear_a, Object b, Object poses_b,
@@ -233,11 +235,7 @@ void add_row_batches(py::module_& batch, const std::string& sides_doc) {
                        type);
       },
       py::arg("a"), py::arg("poses_a"), py::arg("linear_a"), py::arg("b"), py::arg("poses_b"), py::arg("linear_b"),
-      py::arg("duration") = 1.0,
-      py::arg("angular_a") =
-          Words::turning_size == 1 ? py::object(py::float_(0.0)) : py::object(py::make_tuple(0.0, 0.0, 0.0)),
-      py::arg("angular_b") =
-          Words::turning_size == 1 ? py::object(py::float_(0.0)) : py::object(py::make_tuple(0.0, 0.0, 0.0)),
+      py::arg("duration") = 1.0, py::arg("angular_a") = still, py::arg("angular_b") = still,
       py::arg("ignore_separating") = false, py::arg("pairs") = py::none(),
       (std::string("When each pair of moving bodies first touches within `duration`: records with the fields t (inf "
                    "where they do not meet), point, normal, depth, status, piece_a, piece_b, hit.\n\n"
