@@ -79,6 +79,19 @@ TYPED_TEST(EdgesAndCorners, OfAValleyBothSides) {
   }
 }
 
+/// A cone that has slid down one side until its rim pokes through the other is held from there too, though the shortest
+/// way out of that is along it.
+TYPED_TEST(EdgesAndCorners, OfAValleyBothSidesWhereARimPokes) {
+  using T = TypeParam;
+  const T radius = T(0.34), height = T(0.46), past = T(0.01), deep = T(1e-4);
+  const Vec3<T> up = normalized(Vec3<T>{0, 1, T(0.5)}), down = normalized(Vec3<T>{0, T(-0.5), 1});
+  const Quat<T> lean = about<T>({1, 0, 0}, std::atan(0.5));
+  for (const StandingSurface<T>& valley : standing(folded<T>(T(-0.5))))
+    valley.expect(Cylinder<T>(height, radius, T(0)),
+                  {Vec3<T>{T(0.1), T(-0.5), 0} + down * (past - radius) + up * (height / T(2) - deep), lean},
+                  {{0, 1, T(0.5)}, {0, 1, T(-0.5)}});
+}
+
 /// The tip of a pyramid pushes a ball away from itself, and a box that lies on it up; the edges likewise.
 TYPED_TEST(EdgesAndCorners, OfAPyramidTheTip) {
   using T = TypeParam;

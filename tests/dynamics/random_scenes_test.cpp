@@ -68,6 +68,17 @@ void play(unsigned seed) {
   EXPECT_LT(static_cast<double>(s.report().kinetic_energy), 1e-4 * weight) << seed;
 }
 
+/// Bodies with a rim that slid and fell into valleys of the ground, and once fell through.
+TEST(RandomScenes, RimsInValleysDoNotFallThrough) {
+  for (const unsigned seed : {1371u, 3412u, 3450u}) {
+    SCOPED_TRACE(seed);
+    if (seed % 2 == 0)
+      play<float>(seed);
+    else
+      play<double>(seed);
+  }
+}
+
 TEST(RandomScenes, ComeToRest) {
   const int scenes = asked_number("GRAZE_TEST_SCENES", 40);
   for (int i = 0; i < scenes; ++i) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "composite/closest.hpp"
 #include "composite/internal_edges/face_contact.hpp"
 #include "composite/internal_edges/occluders.hpp"
 #include "composite/internal_edges/voronoi_neighbours.hpp"
@@ -108,17 +109,33 @@ bool reaches_to(const LeafInContext<T>& self, const Vec3<T>& place) {
   return distance_to(self, place) <= noise;
 }
 
+/// What the coordinates of a place on a piece may be off by, wherever the origin is.
+template <class T>
+T own_noise(const LeafInContext<T>& self, const Vec3<T>& place) {
+  return place_noise(place) + coordinate_noise(max_abs(bounds(self.piece, self.pose).extent()));
+}
+
+/// One point, where a corner of the other shape pokes through a triangle: no faces meet there that could be laid over
+/// each other. None where the corner lies beside the triangle, or another of the surface is nearer to it: it is that
+/// one's. Balls and capsules have none.
+template <class T>
+Manifold<T> poking_corner(const LeafInContext<T>& self, const LeafInContext<T>& other, bool of_a,
+                          const Vec3<T>& outward, const Manifold<T>& like) {
+  const bool round = other.piece.template as<Sphere<T>>() || other.piece.template as<Capsule<T>>();
+  if (round || !self.piece.template as<Triangle<T>>()) return between_same_pieces(like);
+  Manifold<T> found = furthest_below(self, other, of_a, outward, like);
+  const ContactPoint<T>& point = found.points[0];
+  const Vec3<T>&place = of_a ? point.a : point.b, &corner = of_a ? point.b : point.a;
+  if (!reaches_to(self, place)) return between_same_pieces(like);
+  const T nearest = std::abs(any_closest(self.whole, self.whole_pose, corner).distance);
+  return nearest < std::abs(point.distance) - own_noise(self, place) ? between_same_pieces(like) : found;
+}
+
 /// Whether a triangle of a mesh is known to lie level with all around it.
 template <class T>
 bool lies_level(const LeafInContext<T>& self) {
   const auto* mesh = self.whole.template as<Mesh<T>>();
   return mesh && mesh->data().level[self.number];
-}
-
-/// What the coordinates of a place on a piece may be off by, wherever the origin is.
-template <class T>
-T own_noise(const LeafInContext<T>& self, const Vec3<T>& place) {
-  return place_noise(place) + coordinate_noise(max_abs(bounds(self.piece, self.pose).extent()));
 }
 
 /// Whether a triangle reaches further along a normal than where the contact stands, which that of an own feature never
@@ -361,6 +378,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
     if (right && !right->elsewhere) {
       if (!sliver) found = now;
       now = laid_along(a, b, of_a, right->normal, margin, found);
+      if (now.points.empty() && !right->least_way) now = poking_corner(self, other, of_a, right->normal, found);
     }
     if (right && is_of_another_piece(self, other, *right, now)) {
       now = between_same_pieces(now);
