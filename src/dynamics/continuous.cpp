@@ -1,20 +1,24 @@
-// Continuous collision: what moved by more than half of its size's half in a step is asked what it met on the way.
+// Continuous collision: a body that moved in a step by more than half of what its centre of mass is deep in it is asked
+// what it met on the way.
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
 // the contact. Both of two that move are asked by `World::find_impacts`, turning included, so that rods do not pass
 // posts nor bullets each other. Bodies that hard joints hold together are held back together, at the first contact that
-// any of them makes: alone it would be torn off the others, which gives them energy when they pull it back.
+// any of them makes: alone it would be torn off the others, which gives them energy when they pull it back. Nor is a
+// body that lies on something pushed into it by what strikes it: the two are held back together.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "dynamics/simulation_parts.hpp"
+#include "dynamics/sinking.hpp"
 
 namespace graze {
 
 namespace {
 
-/// Of half of its size: what a body may move in a step before it is asked.
+/// The part of what the centre of mass is deep in a body that it may move in a step before it is asked.
 template <class T>
 constexpr T unasked_motion = T(0.5);
 
@@ -69,6 +73,19 @@ T part_given_back(const Vec& v, const Vec& g, const Vec& way, T late) {
   return least(T(1), c > T(0) ? T(2) * c / (b + root) : (b + root) / (T(2) * a));
 }
 
+/// The velocity of a body that was at v and is carried by `way` under gravity `g`, its energy kept: lifted, it loses
+/// speed along g, and all of that where it has too little.
+template <class T, class Vec>
+Vec keeping_energy(const Vec& v, const Vec& g, const Vec& way) {
+  // Half of g² x² - v · g x - g · way = 0 for v - x g, of its roots the one nearer to nothing.
+  const T a = dot(g, g) / T(2), b = dot(v, g), c = -dot(g, way);
+  if (c == T(0)) return v;
+  const T square = b * b - T(4) * a * c;
+  if (!(square > T(0))) return v - g * (b / (T(2) * a));
+  const T root = std::sqrt(square);
+  return v - g * (T(2) * c / (b < T(0) ? b - root : b + root));
+}
+
 /// Whether a joint holds anything without giving way.
 template <class T, class Space>
 bool is_hard(const Joint<T, Space>& joint) {
@@ -100,15 +117,17 @@ std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, s
 }
 
 /// How a body that is held back came to where it was.
+template <class Space>
 struct HeldBody {
-  bool joined, pushed;  ///< by a hard joint; by contacts or joints, in this step
+  bool joined, pushed;             ///< by a hard joint; by contacts or joints, in this step
+  typename Space::Vec carried_by;  ///< how far from its own way, by what it met and goes on
 };
 
 /// Puts a body where it was `late` ago. What flew freely has the speed that it had then, and no more from a fall that
 /// was not.
 template <class T, class Space>
 void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typename Space::Pose& at, T late,
-              const HeldBody& held) {
+              const HeldBody<Space>& held) {
   SimulatedBody<T, Space>& body = parts.bodies[index];
   const MotionIn<Space> end = parts.motion(index);
   const typename Space::Vec acceleration = parts.settings.gravity * body.gravity_factor;
@@ -116,6 +135,7 @@ void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typen
   T part = held.pushed ? T(0) : T(1);
   if (held.joined) part = part_given_back<T>(end.linear, acceleration, end.center - body.free.center, late);
   body.free.linear = part > T(0) ? end.linear - acceleration * (late * part) : end.linear;
+  body.free.linear = keeping_energy<T>(body.free.linear, acceleration, held.carried_by);
   set_angular_velocity(body.free, end.angular);
 }
 
@@ -130,7 +150,7 @@ void SimulationParts<T, Space>::hold_back(T dt) {
     if (alive[i] == 0 || !body.movable || body.asleep) continue;
     const MotionIn<Space> m = motion(i);
     const T way = (length(m.linear) + length(m.angular) * body.radius) * dt;
-    if (way > unasked_motion<T> * body.size / T(2)) fast.push_back(i);
+    if (way > unasked_motion<T> * body.depth) fast.push_back(i);
   }
   if (fast.empty()) return;
   std::vector<typename Space::Velocity> mean(bodies.size());
@@ -153,15 +173,15 @@ void SimulationParts<T, Space>::hold_back(T dt) {
     const std::uint32_t a = impact.a.index, b = impact.b.index;
     if (impact.trigger) continue;
     // Rows of contacts let bodies approach little; a body that slides fast is not held back by what it slides on. One
-    // that turns may come down beside the point that touches and is left: it goes on by as much as nobody asks about,
-    // or it would hang there.
+    // that sinks beside the points that touch goes on by a part of what it may, or it would hang there.
     T time = impact.hit.t;
     if (met<T, Space>(world.contacts(), a, b)) {
-      const T unasked = unasked_motion<T> * least(bodies[a].size, bodies[b].size) / T(2);
+      const MovingPair<T, Space> pair{
+          world.bodies().shapes()[a], world.bodies().shapes()[b], found_at[a], found_at[b], mean[a], mean[b]};
+      const T most = unasked_motion<T> * least(bodies[a].depth, bodies[b].depth);
       const T way = dot(mean[a].linear - mean[b].linear, impact.hit.normal) * dt;
-      if (way < unasked) continue;
-      const auto closing = speed_of(a, impact.hit.point, time) - speed_of(b, impact.hit.point, time);
-      if (dot(closing, impact.hit.normal) * dt < unasked) time = greatest(time, dt * (unasked / way));
+      const std::optional<T> sunk = time_to_sink(pair, most, dt);
+      time = greatest(time, sunk ? *sunk : way > most ? dt * (most / way) : dt);
     }
     for (const std::uint32_t i : {a, b})
       if (bodies[i].movable && time < first[i].time)
@@ -174,19 +194,25 @@ void SimulationParts<T, Space>::hold_back(T dt) {
     any = any || ends[i] < dt;
   }
   if (!any) return;
-  const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends);
   const std::vector<std::uint8_t> pushed = pushed_bodies(*this);
+  for (const std::uint32_t i : fast) {
+    const std::uint32_t other = first[i].other;
+    if (ends[i] < dt && pushed[i] != 0 && bodies[other].movable) ends[other] = least(ends[other], first[i].time);
+  }
+  const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!(ends[i] < dt)) continue;
     ++last.stopped;
     typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
+    typename Space::Vec carried_by{};
     if (joined[i] == 0) {  // What it met may go on: it stays in touch, along the normal.
       const Meeting<T, Space>& meeting = first[i];
       const typename Space::Vec carried = speed_of(meeting.other, meeting.point, meeting.time);
       const T rest = greatest(T(0), ends[meeting.other] - meeting.time);
-      at.translation += meeting.normal * (dot(carried, meeting.normal) * rest);
+      carried_by = meeting.normal * (dot(carried, meeting.normal) * rest);
+      at.translation += carried_by;
     }
-    set_back<T, Space>(*this, i, at, dt - ends[i], {joined[i] != 0, pushed[i] != 0});
+    set_back<T, Space>(*this, i, at, dt - ends[i], {joined[i] != 0, pushed[i] != 0, carried_by});
   }
 }
 

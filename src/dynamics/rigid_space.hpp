@@ -87,6 +87,10 @@ Vec3<T> checked_vector(const Vec3<T>& v, const char* path) {
   return validate::point(v, path);
 }
 
+/// The part of a shape's largest extent that a surface is thinner than: its extent across is no size.
+template <class T>
+constexpr T thin = T(1e-3);
+
 /// The least extent of a shape along its axes; infinite for a half-space, and for a surface what it is thick.
 template <class T>
 T size_of(const Shape<T>& shape) {
@@ -95,8 +99,23 @@ T size_of(const Shape<T>& shape) {
   const Vec3<T> extent = box.upper - box.lower;
   T least_extent = std::numeric_limits<T>::infinity();
   for (std::size_t i = 0; i < 3; ++i)
-    if (extent[i] > max_abs(extent) * T(1e-3)) least_extent = least(least_extent, extent[i]);
+    if (extent[i] > max_abs(extent) * thin<T>) least_extent = least(least_extent, extent[i]);
   return least_extent;
+}
+
+/// The way from a shape's centre of mass to the nearest side of the box of its extents: half of its size for one that
+/// is alike on both sides, half of that for a cone. A sixteenth of its size at least, wherever the centre may be.
+template <class T>
+T depth_of_center(const Shape<T>& shape, const Vec3<T>& center) {
+  const T size = size_of(shape);
+  if (!std::isfinite(size)) return size;
+  const Aabb<T> box = bounds(shape, Pose<T>{});
+  const Vec3<T> extent = box.upper - box.lower;
+  T depth = size / T(2);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (extent[i] > max_abs(extent) * thin<T>)
+      depth = least(depth, least(center[i] - box.lower[i], box.upper[i] - center[i]));
+  return greatest(depth, size / T(16));
 }
 
 namespace plane {
@@ -158,8 +177,19 @@ T size_of(const Shape<T>& shape) {
   const Vec2<T> extent = box.upper - box.lower;
   T least_extent = std::numeric_limits<T>::infinity();
   for (const T e : {extent.x, extent.y})
-    if (e > max_abs(extent) * T(1e-3)) least_extent = least(least_extent, e);
+    if (e > max_abs(extent) * thin<T>) least_extent = least(least_extent, e);
   return least_extent;
+}
+template <class T>
+T depth_of_center(const Shape<T>& shape, const Vec2<T>& center) {
+  const T size = size_of(shape);
+  if (!std::isfinite(size)) return size;
+  const Aabb2<T> box = bounds(shape, Pose2<T>{});
+  const Vec2<T> extent = box.upper - box.lower, below = center - box.lower, above = box.upper - center;
+  T depth = size / T(2);
+  if (extent.x > max_abs(extent) * thin<T>) depth = least(depth, least(below.x, above.x));
+  if (extent.y > max_abs(extent) * thin<T>) depth = least(depth, least(below.y, above.y));
+  return greatest(depth, size / T(16));
 }
 
 }  // namespace plane

@@ -145,6 +145,8 @@ BodyId Simulation<T, Space>::add(Body<T, Space> body, const Dynamics& dynamics, 
   simulated.angular_damping = dynamics.angular_damping;
   simulated.may_sleep = dynamics.may_sleep;
   simulated.size = size_of(body.shape);
+  simulated.depth =
+      simulated.movable ? depth_of_center(body.shape, simulated.mass.principal.translation) : simulated.size / T(2);
   simulated.radius = reach_of(body.shape) + length(simulated.mass.principal.translation);
   simulated.free.inverse_inertia = simulated.mass.inverse_inertia;
   typename Space::Velocity velocity{};

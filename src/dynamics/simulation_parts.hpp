@@ -28,6 +28,7 @@ struct SimulatedBody {
   MaterialIn<T, Space> material{};
   T gravity_factor = T(1), linear_damping{}, angular_damping{};
   T size{};    ///< the least extent of the shape: what tolerances refer to
+  T depth{};   ///< of the centre of mass in the shape: sunk by more, it would be pushed out on the other side
   T radius{};  ///< no point of the shape is further from the centre of mass
   typename Space::Vec force{};
   typename Space::Turning torque{};

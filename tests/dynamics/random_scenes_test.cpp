@@ -79,6 +79,18 @@ TEST(RandomScenes, RimsInValleysDoNotFallThrough) {
   }
 }
 
+/// A cone that came down flat beside the corner that it touched, once pushed out below; and a body that was carried up by
+/// what it met, at no cost of its speed.
+TEST(RandomScenes, BodiesThatTouchDoNotSinkNorRiseForNothing) {
+  for (const unsigned seed : {2099u, 3458u}) {
+    SCOPED_TRACE(seed);
+    if (seed % 2 == 0)
+      play<float>(seed);
+    else
+      play<double>(seed);
+  }
+}
+
 TEST(RandomScenes, ComeToRest) {
   const int scenes = asked_number("GRAZE_TEST_SCENES", 40);
   for (int i = 0; i < scenes; ++i) {
