@@ -36,18 +36,18 @@ struct Aabb {
 using Aabbf = Aabb<float>;
 using Aabbd = Aabb<double>;
 
-/// Whether they have a point in common; touching counts.
+/// Whether two closed boxes have a point in common; touching counts.
 template <class T>
 constexpr bool overlap(const Aabb<T>& a, const Aabb<T>& b) {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
          a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
-/// The least box that holds both.
+/// The smallest box that contains both boxes.
 template <class T>
 constexpr Aabb<T> merged(const Aabb<T>& a, const Aabb<T>& b) {
   return {least(a.lower, b.lower), greatest(a.upper, b.upper)};
 }
-/// The least box that holds both.
+/// The smallest box that contains the box and the point.
 template <class T>
 constexpr Aabb<T> merged(const Aabb<T>& a, const Vec3<T>& p) {
   return {least(a.lower, p), greatest(a.upper, p)};
@@ -58,13 +58,13 @@ constexpr Aabb<T> inflated(const Aabb<T>& a, const T& amount) {
   const Vec3<T> d{amount, amount, amount};
   return {a.lower - d, a.upper + d};
 }
-/// Whether no point of `inner` lies outside of `outer`.
+/// Whether `inner` lies within `outer`; boundaries may coincide.
 template <class T>
 constexpr bool contains(const Aabb<T>& outer, const Aabb<T>& inner) {
   return outer.lower.x <= inner.lower.x && inner.upper.x <= outer.upper.x && outer.lower.y <= inner.lower.y &&
          inner.upper.y <= outer.upper.y && outer.lower.z <= inner.lower.z && inner.upper.z <= outer.upper.z;
 }
-/// The surface area: what a bounding hierarchy minimises. Zero for an empty box.
+/// Surface area, the cost that a bounding volume hierarchy minimises. Zero for an empty box.
 template <class T>
 constexpr T surface_area(const Aabb<T>& a) {
   const Vec3<T> e = a.extent();

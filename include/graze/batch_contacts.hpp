@@ -1,4 +1,4 @@
-// Where the pairs of a batch touch: the contacts of all of them in three arrays.
+// Contacts of a batch: the manifolds and points of all its pairs in three arrays.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace graze {
 
-/// What `contacts` finds for a batch.
+/// Contacts of a batch, filled by `contacts`.
 template <class T>
 struct BatchContacts {
   /// One pair of the batch.
@@ -21,12 +21,12 @@ struct BatchContacts {
   /// One manifold of a pair.
   struct Group {
     Vec3<T> normal{};                        ///< unit, from A to B
-    std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
+    std::uint32_t piece_a = 0, piece_b = 0;  ///< the triangle or child of a composite that touches, else 0
     std::uint32_t first_point = 0, point_count = 0;
   };
   std::vector<Pair> pairs;              ///< one for each pair of the batch, in its order
-  std::vector<Group> manifolds;         ///< those of a pair one behind the other
-  std::vector<ContactPoint<T>> points;  ///< those of a manifold one behind the other
+  std::vector<Group> manifolds;         ///< manifolds of a pair are contiguous
+  std::vector<ContactPoint<T>> points;  ///< points of a manifold are contiguous
 
   std::span<const Group> manifolds_of(std::size_t pair) const {
     return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);

@@ -1,20 +1,20 @@
-// Captures: everything that a world or a simulation was told, in a file that runs again to the same bits.
+// Captures: the calls made to a world or a simulation, in a file that replays to the same bits.
 //
 // A bug that shows once in ten minutes is found by stepping through the frame in which it shows, as often as one likes.
-// `CapturedSimulation` and `CapturedWorld` stand where a `Simulation` or a `World` would; each call that changes
-// something is carried out and then written, and every step or update ends a frame with hashes of what came out.
-// `replay` makes the calls again and says where it first comes to something else.
+// `CapturedSimulation` and `CapturedWorld` take the place of a `Simulation` or a `World`; each call that changes
+// something is carried out and then written, and every step or update ends a frame with hashes of its results. `replay`
+// makes the calls again and reports the first one whose results differ.
 //
-// Guarantee: what was refused by an exception is not written. A frame is in the stream when the call that ends it
-// returns: whatever ends the program then loses at most the frame that it was in. A replay on the same build gives the
-// same bits, in another build or on another processor those that Graze gives there. Whatever bytes `replay` gets, it
-// takes no more memory than in proportion to them, and ends with a report or with an `InvalidValue` that names the file
-// and the frame. Writing costs the size of what was said and two hashes over what moved.
+// Guarantee: a call refused by an exception is not written. A frame is in the stream when the call that ends it
+// returns: a crash then loses at most the frame in which it happens. A replay on the same build gives the same bits, in
+// another build or on another processor those that Graze gives there. Whatever bytes `replay` reads, its memory stays
+// in proportion to them, and it ends with a report or with an `InvalidValue` that names the file and the frame. Writing
+// costs the size of the calls' arguments and two hashes over the bodies that moved.
 //
 // In the plane, `plane::CapturedSimulation` and `plane::CapturedWorld` (`graze/plane/capture.hpp`) do the same.
 //
-// Shapes are built from what the file holds of them, so that a captured run and its replay have the same: a convex
-// hull from its vertices alone, whose faces and vertices may therefore be numbered in another order than the caller's.
+// Shapes are built from the data in the file, so that a captured run and its replay have the same: a convex hull from
+// its vertices alone, whose faces and vertices may therefore be numbered in another order than the caller's.
 #pragma once
 
 #include <functional>
@@ -36,20 +36,21 @@ class CaptureWriter;
 template <class T, class Space>
 struct CapturedStates;
 
-/// A function that takes the bytes of a capture, the head and then a frame at a call, and says whether it could.
+/// Receiver of a capture's bytes: called with the head, then with one frame at a time. Returns false if it cannot take
+/// them.
 using CaptureSink = std::function<bool(std::string_view bytes)>;
 
-/// The names of the bodies of a capture, those that were removed among them.
+/// The names of a capture's bodies, removed bodies included.
 class BodyNames {
  public:
-  /// Empty for a body without one.
+  /// The name of a body; empty if it has none.
   std::string_view of(BodyId id) const {
     const auto found = names_.find(id);
     return found == names_.end() ? std::string_view() : found->second;
   }
-  /// By handle, in the order of their indices.
+  /// All names by handle, in the order of the handles' indices.
   const std::map<BodyId, std::string>& all() const { return names_; }
-  /// Another name for a body; an empty one is none.
+  /// Renames a body; an empty name takes the name away.
   void set(BodyId id, std::string name) {
     if (name.empty())
       names_.erase(id);
@@ -61,8 +62,8 @@ class BodyNames {
   std::map<BodyId, std::string> names_;
 };
 
-/// A simulation whose calls are written to a stream, which must outlive it, or handed to a sink; with neither it is
-/// only a simulation. What is said of the calls there holds here.
+/// A simulation whose calls are written to a stream, which must outlive it, or handed to a sink; with neither it is an
+/// ordinary simulation. `Simulation` documents the calls.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API CapturedSimulation {
   using Vec = typename Space::Vec;
@@ -73,7 +74,8 @@ class GRAZE_API CapturedSimulation {
   using Material = graze::Material<T, Vec>;
 
  public:
-  /// Throws `InvalidValue` when the stream takes no more bytes, as all calls here do.
+  /// A simulation that writes its calls to `out`. This and all calls of the class throw `InvalidValue` when the stream
+  /// takes no more bytes.
   explicit CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings = {},
                               Executor* executor = nullptr);
   /// A simulation that hands its frames to a sink. Throws as with a stream.
@@ -83,7 +85,7 @@ class GRAZE_API CapturedSimulation {
   CapturedSimulation(const CapturedSimulation&) = delete;
   CapturedSimulation& operator=(const CapturedSimulation&) = delete;
 
-  /// Throws `InvalidValue` for a shape of the user's own, too: a file cannot hold its support function.
+  /// Adds a body. Throws `InvalidValue` also for a shape of the user's own, whose support function a file cannot hold.
   BodyId add(Body<T, Space> body, const Dynamics& dynamics = {}, const Material& material = {});
   JointId add(const Joint<T, Space>& joint);
   void remove(BodyId id);
@@ -99,20 +101,22 @@ class GRAZE_API CapturedSimulation {
   void set_material(BodyId id, const Material& material);
   void wake(BodyId id);
   void set_gravity(const Vec& gravity);
-  /// A name by which a replay calls the body from here on (`BodyNames`). It is written and not kept: the run stays as
-  /// it is.
+  /// Names a body for a replay, from here on (`BodyNames`). The name is written to the capture only and has no
+  /// influence on the run.
   void set_name(BodyId id, std::string_view name);
 
-  /// Keeps the state as it is now under a number, instead of what was kept there. A replay keeps it as well, which is
-  /// why there are so few numbers. Throws `InvalidValue` for one that there is not.
+  /// Number of states that can be kept; few, because a replay keeps them as well.
   static constexpr std::size_t most_states = 16;
+  /// Keeps the current state under `number`, in place of the state kept there before. Throws `InvalidValue` for a
+  /// number that is not below `most_states`.
   void save(std::size_t number);
-  /// Goes back to what was kept. Throws `InvalidValue` where nothing was, and as `Simulation::restore`.
+  /// Goes back to the state kept under `number`. Throws `InvalidValue` where none was kept, and where
+  /// `Simulation::restore` does.
   void restore(std::size_t number);
 
-  /// For everything that is asked.
+  /// The simulation itself, for all queries.
   const Simulation<T, Space>& simulation() const { return simulation_; }
-  /// What is recorded.
+  /// The simulation's world.
   const World<T, Space>& world() const { return simulation_.world(); }
 
  private:
@@ -121,7 +125,7 @@ class GRAZE_API CapturedSimulation {
   std::unique_ptr<CaptureWriter<T, Space>> writer_;
 };
 
-/// A world whose calls are written to a stream or a sink; as `CapturedSimulation`.
+/// A world whose calls are written to a stream or a sink, as `CapturedSimulation` writes those of a simulation.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API CapturedWorld {
   using Vec = typename Space::Vec;
@@ -145,12 +149,12 @@ class GRAZE_API CapturedWorld {
   void set_shape(BodyId id, Shape shape);
   void set_filter(BodyId id, const Filter& filter);
   void set_fast(BodyId id, bool fast);
-  /// A name by which a replay calls the body from here on, as `CapturedSimulation::set_name`.
+  /// Names a body for a replay, from here on, as `CapturedSimulation::set_name` does.
   void set_name(BodyId id, std::string_view name);
   void update(T duration = T(0));
   void find_impacts(T duration);
 
-  /// What is recorded.
+  /// The captured world.
   const World<T, Space>& world() const { return world_; }
 
  private:
@@ -158,38 +162,38 @@ class GRAZE_API CapturedWorld {
   std::unique_ptr<CaptureWriter<T, Space>> writer_;
 };
 
-/// What is captured, while it is played: after a frame, or after the calls behind the last one.
+/// The world or simulation that a replay drives, as it stands after a frame or after the calls behind the last frame.
 using Replayed =
     std::variant<const Worldf*, const Worldd*, const Simulationf*, const Simulationd*, const plane::Worldf*,
                  const plane::Worldd*, const plane::Simulationf*, const plane::Simulationd*>;
 
-/// Where a replay first comes to something else than the run that was captured.
+/// The first place at which a replay differs from the captured run.
 struct ReplayDifference {
-  std::size_t frame;  ///< counted from 1
-  std::size_t call;   ///< of the frame, counted from 1; the last one ends the frame
+  std::size_t frame;  ///< number of the frame, counted from 1
+  std::size_t call;   ///< number of the call within the frame, counted from 1; the last call ends the frame
   std::string what;   ///< "step: other poses", "add: another handle", "remove: body: expected ..."
-  /// The body that the call is about, if it is about one.
+  /// The body concerned; none for a call that is not about a body.
   std::optional<BodyId> body = {};
 };
 
-/// What a replay did.
+/// The outcome of a replay.
 struct ReplayReport {
-  bool simulation = false;            ///< otherwise a world
-  bool plane = false;                 ///< of the plane, otherwise of space
-  bool single = false;                ///< float
-  std::size_t frames = 0, calls = 0;  ///< how many frames and calls were replayed
+  bool simulation = false;            ///< true for a simulation, false for a world
+  bool plane = false;                 ///< true for the plane, false for space
+  bool single = false;                ///< true for float, false for double
+  std::size_t frames = 0, calls = 0;  ///< number of frames and calls that were replayed
   bool cut = false;                   ///< the stream ends within a frame, which was left out
-  BodyNames names;                    ///< of the bodies, as they were called last
-  /// Where an answer was first another one; none where all were the same.
+  BodyNames names;                    ///< names of the bodies, as last set
+  /// The first difference; none where all answers were equal.
   std::optional<ReplayDifference> difference;
 };
 
-/// Gets what is played after every frame, and what its bodies are called by then.
+/// Function called after every frame, with its number, the replayed object and the names of the bodies.
 using ReplayFunction = std::function<void(std::size_t frame, const Replayed& played, const BodyNames& names)>;
 
-/// Runs a capture again, to its end or to the first difference, and calls `each` with what is played after every frame.
-/// `name` is for messages. Throws `InvalidValue` for bytes that are no capture, of a version that this library does not
-/// know, or damaged: with the frame, and where in the file it begins.
+/// Runs a capture again, to its end or to the first difference, and calls `each` after every frame. `name` appears in
+/// messages. Throws `InvalidValue` for bytes that are no capture, of a version unknown to this library, or damaged:
+/// with the frame, and where in the file it begins.
 GRAZE_API ReplayReport replay(std::istream& in, const std::string& name, const ReplayFunction& each = {},
                               Executor* executor = nullptr);
 

@@ -1,9 +1,8 @@
-// Where the pairs of a batch touch, in few bytes: of each manifold its normal, of each point where it is and how far
-// apart the shapes are there.
+// Compact contacts of a batch: the normal of each manifold, the position and the distance of each point.
 //
-// Guarantee: to the last bit the normals and distances of `BatchContacts`, and the places that its points'
-// `position()` gives. Its features, its points on either shape and the pieces of composites are left out, and pairs
-// that have no contacts take no memory: four points of two boxes take 88 bytes in float, and there 184.
+// Guarantee: normals and distances equal those of `BatchContacts` to the last bit, and positions those that
+// `ContactPoint::position()` gives. Features, points on either shape and pieces of composites are left out, and pairs
+// without contacts take no memory: four points of two boxes take 88 bytes in float, in `BatchContacts` 184.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +13,13 @@
 
 namespace graze {
 
-/// What `contacts` finds for a batch, for callers who want points, normals and distances only.
+/// Compact contacts of a batch, for callers who need points, normals and distances only.
 template <class T>
 struct CompactContacts {
   /// Points of contact of one pair that share a normal.
   struct Group {
     Vec3<T> normal{};        ///< unit, from A to B
-    std::uint32_t pair = 0;  ///< its place in the batch
+    std::uint32_t pair = 0;  ///< index of the pair in the batch
     std::uint32_t first_point = 0, point_count = 0;
   };
   /// One point of contact, in world space.
@@ -28,10 +27,10 @@ struct CompactContacts {
     Vec3<T> position{};  ///< `ContactPoint::position()`
     T distance{};        ///< signed: negative is penetration
   };
-  /// Manifolds of a pair stand one behind the other. Pairs may come in another order than in the batch, which is a
-  /// function of the batch alone.
+  /// Manifolds of a pair are contiguous. Pairs may come in another order than in the batch; the order is a function of
+  /// the batch alone.
   std::vector<Group> manifolds;
-  std::vector<Point> points;  ///< those of a manifold one behind the other
+  std::vector<Point> points;  ///< points of a manifold are contiguous
 
   std::span<const Point> points_of(const Group& m) const {
     return std::span(points).subspan(m.first_point, m.point_count);

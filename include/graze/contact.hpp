@@ -1,4 +1,4 @@
-// Contact manifolds: where two shapes touch, and how deep.
+// Contact manifolds: the points at which two shapes touch, and how deep.
 //
 // Guarantee: for every point b - a = distance * normal, up to rounding; the normal is a unit vector from A to B; a
 // feature number stays the same while the same features touch. The points of a cap (of a cylinder, a cone or a
@@ -19,13 +19,13 @@ namespace graze {
 /// One point of contact, in world space.
 template <class T>
 struct ContactPoint {
-  Vec3<T> a{}, b{};         ///< on the surface of A, and of B
+  Vec3<T> a{}, b{};         ///< points on the surfaces of A and of B
   T distance{};             ///< signed: negative is penetration
-  std::uint32_t feature{};  ///< names the features of A and B that touch
-  T weight = T(0.5);        ///< how far from a to b `position()` lies
+  std::uint32_t feature{};  ///< identifies the features of A and B that touch
+  T weight = T(0.5);        ///< position of `position()` between a (0) and b (1)
 
-  /// The point between the two that a solver wants: the middle; for two spheres the radius-weighted point P with
-  /// |P - c1| / |P - c2| = r1 / r2.
+  /// The contact position for a solver: the midpoint of a and b; for two spheres the radius-weighted point P with |P -
+  /// c1| / |P - c2| = r1 / r2.
   Vec3<T> position() const { return a + (b - a) * weight; }
 };
 
@@ -34,21 +34,23 @@ template <class T>
 struct Manifold {
   Vec3<T> normal{};                        ///< unit, from A to B
   SmallVector<ContactPoint<T>, 8> points;  ///< where they touch
-  std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< the triangle or child of a composite that touches, else 0
   /// `bounded` where the distance of two convex pieces that touch here is not proven.
   Status status = Status::converged;
-  T error{};  ///< by how much distances of points may then be off; of several such pairs of pieces the largest
+  T error{};  ///< bound on the error of the points' distances where `bounded`; the largest over several such pairs of
+              ///< pieces
 
-  /// Its own: all the memory kept for points would be set to zero before an implicit one.
+  /// Written out, because before an implicit constructor all the memory for points would be set to zero.
   Manifold() {}  // NOLINT(modernize-use-equals-default)
 };
 
-/// As contacts are found: one for each pair of pieces.
+/// The manifolds of a query, one for each pair of pieces, in the order in which they are found.
 template <class T>
 using Manifolds = std::vector<Manifold<T>>;
 
-/// Keeps the `count` points that span most: the deepest, the one furthest from it across the normal, and then each time
-/// the one that adds most area to their hull. Their order stays. Costs `count` times the number of points.
+/// Keeps the `count` points of largest area: the deepest, the one furthest from it across the normal, and then each
+/// time the one that adds most area to their hull. The order of the points stays. Costs `count` times the number of
+/// points.
 template <class T>
 GRAZE_API void reduce(Manifold<T>& manifold, std::size_t count);
 

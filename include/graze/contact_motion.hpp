@@ -1,6 +1,6 @@
-// How two bodies move at a point of contact: what a solver asks first.
+// Relative motion of two bodies at a point of contact, the first step of a contact solver.
 //
-// Guarantee: exact up to rounding for rigid motions; a few operations a question, no state. Velocities are in units of
+// Guarantee: exact up to rounding for rigid motions; a few operations a call, no state. Velocities are in units of
 // length per unit of time, angles in radians, everything in world space.
 #pragma once
 
@@ -8,12 +8,12 @@
 
 namespace graze {
 
-/// The velocity of a rigid body: of its centre of mass, and its turning about it.
+/// The motion of a rigid body: the velocity of its centre of mass, and its rotation about that.
 template <class T>
 struct Motion {
-  Vec3<T> linear{};   ///< the velocity of the origin
-  Vec3<T> angular{};  ///< along the axis, right-handed; its length is the rate
-  Vec3<T> center{};   ///< of mass
+  Vec3<T> linear{};   ///< velocity of the centre of mass
+  Vec3<T> angular{};  ///< angular velocity: along the axis, right-handed, its length the rate
+  Vec3<T> center{};   ///< centre of mass
 };
 
 /// The velocity of the body's material point at `point`.
@@ -22,7 +22,7 @@ Vec3<T> velocity_at(const Motion<T>& motion, const Vec3<T>& point) {
   return motion.linear + cross(motion.angular, point - motion.center);
 }
 
-/// How B moves seen from A at a contact, in two parts.
+/// The velocity of B relative to A at a contact, in two parts.
 template <class T>
 struct RelativeVelocity {
   Vec3<T> whole{};       ///< the velocity of B against A
@@ -30,7 +30,7 @@ struct RelativeVelocity {
   Vec3<T> tangential{};  ///< the rest: the sliding that friction resists
 };
 
-/// At the contact's `position()`. `normal` is the manifold's, from A to B.
+/// The relative velocity at the contact's `position()`. `normal` is the manifold's, from A to B.
 template <class T>
 RelativeVelocity<T> relative_velocity(const ContactPoint<T>& contact, const Vec3<T>& normal, const Motion<T>& a,
                                       const Motion<T>& b) {
@@ -42,11 +42,11 @@ RelativeVelocity<T> relative_velocity(const ContactPoint<T>& contact, const Vec3
   return v;
 }
 
-/// Which of two bodies moves into the other.
+/// The bodies that move into the other one.
 enum class AtFault { neither, a, b, both };
 
-/// Of bodies that approach at the contact, the one whose own velocity there leads into the other; `neither` when they
-/// rest on each other or part.
+/// The bodies that drive an approach: those whose own velocity at the contact leads into the other. `neither` for
+/// bodies that rest on each other or part.
 template <class T>
 AtFault at_fault(const ContactPoint<T>& contact, const Vec3<T>& normal, const Motion<T>& a, const Motion<T>& b) {
   const T of_a = dot(velocity_at(a, contact.position()), normal);

@@ -1,15 +1,15 @@
-// Debug draw: what the library knows, drawn by a renderer of your own.
+// Debug draw: shapes, contacts, traces and worlds on a renderer of the user's own.
 //
-// A renderer says how a point, a line, a triangle and a text come onto its screen; the functions below say what there
-// is to draw: shapes, bounds, contacts, distances, rays, casts, traces, trees, joints, worlds and simulations, in space
-// and in the plane (there at z = 0). Colours are named by what they mean, and everything stands in a layer, so that a
+// A renderer implements how points, lines, triangles and texts come onto its screen; the functions below decompose
+// shapes, bounds, contacts, distances, rays, casts, traces, trees, joints, worlds and simulations into these, in space
+// and in the plane (there at z = 0). Colours are named by their meaning, and everything belongs to a layer, so that a
 // reader can switch off what hides the rest.
 //
-// Guarantee: nothing that is drawn changes by it; the same state draws the same calls in the same order. Places are in
-// world space, in double, and finite where the scene is; a box that is nowhere bounded is left out. Everything is drawn
-// as it was found: contacts of a world where its last update found them, those of a simulation where its last step
-// began, while bodies are drawn where they are now. Costs memory and time for each line: for the eye, not for each
-// pair of a hot loop.
+// Guarantee: drawing changes no state; equal states draw equal calls in equal order. Positions are in world space, in
+// double, and finite where the scene is; a box without any finite bound is left out. Contacts are drawn where they were
+// found: those of a world at its last update, those of a simulation at the beginning of its last step, while bodies are
+// drawn at their present poses. Costs memory and time for each line, and is meant for the eye, not for every pair of a
+// hot loop.
 #pragma once
 
 #include <span>
@@ -21,27 +21,27 @@
 
 namespace graze {
 
-/// What a reader switches on and off together.
+/// Layers that a reader switches on and off.
 enum class DrawLayer : std::uint8_t { shapes, bounds, tree, contacts, distances, rays, casts, trace, joints };
 
-/// What a colour says.
+/// Meanings of colours.
 enum class DrawMeaning : std::uint8_t {
-  a,          ///< the first of two, and what is its own: its interval on an axis, its support point
-  b,          ///< the second
+  a,          ///< the first of two shapes, and what belongs to it: its interval on an axis, its support point
+  b,          ///< the second of two shapes, and what belongs to it
   fixed,      ///< a body that never moves
-  touched,    ///< a fixed body that something touches
-  moving,     ///< a body that moves, and touches nothing
-  touching,   ///< a body that moves, and touches something
+  touched,    ///< a fixed body that is touched
+  moving,     ///< a moving body without contacts
+  touching,   ///< a moving body with contacts
   asleep,     ///< a body of a simulation at rest
-  trigger,    ///< a body that only tells what is inside it
+  trigger,    ///< a body that only reports what is inside it
   contact,    ///< a point of contact, or the overlap of two intervals
   normal,     ///< a normal or another direction
-  gap,        ///< the shortest way between two things
-  ruled_out,  ///< what was tried and decided nothing
+  gap,        ///< the shortest connection of two shapes
+  ruled_out,  ///< what was tried and decided nothing: an axis, a candidate
   bounds,     ///< a box around something
-  path,       ///< a way of something that moves, or of a ray
-  ghost,      ///< a place along a way
-  joint       ///< what holds two bodies together
+  path,       ///< the path of a body or of a ray
+  ghost,      ///< a position along a path
+  joint       ///< a joint of two bodies
 };
 
 /// A colour in sRGB, 0 to 255.
@@ -51,39 +51,41 @@ struct DrawColor {
 /// The colour that the project's own pictures give a meaning, to be told apart on light paper and on dark.
 GRAZE_API DrawColor suggested_color(DrawMeaning meaning);
 
-/// The part of the world that is looked at. What has no end is drawn about its centre as far as its size, and arrows
-/// are a twelfth of it.
+/// The region of interest of a drawing. Unbounded things are drawn about its centre as far as its size, and arrows are
+/// a twelfth of it.
 struct DrawArea {
-  Vec3d center{};   ///< the middle of what is looked at
+  Vec3d center{};   ///< centre of the region
   double size = 1;  ///< > 0
 };
-/// Bounds of all bodies that have any, without an end to their size; the default of `DrawArea` when none has.
+/// The bounds of all bodies that have finite ones; the default `DrawArea` when none has.
 template <class T, class Space>
 GRAZE_API DrawArea draw_area(const World<T, Space>& world);
 
-/// A renderer. The first five are what it must do, and the rest what it may do better than with these.
+/// A renderer. The first five functions are required; the others have implementations in terms of them, to be improved
+/// on.
 class GRAZE_API DebugDraw {
  public:
   /// Draws within `area`.
   explicit DebugDraw(const DrawArea& area = {}) : area_(area) {}
   virtual ~DebugDraw();
 
-  /// Whether the layer is seen; what is in one that is not is not even computed.
+  /// Whether the layer is visible; the contents of hidden layers are not even computed.
   virtual bool wants(DrawLayer layer) const = 0;
   virtual void point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) = 0;  ///< A point of the world.
   /// A line between two points of the world.
   virtual void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) = 0;
-  /// Counter-clockwise seen from outside.
+  /// A triangle, counter-clockwise seen from outside.
   virtual void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) = 0;
-  /// `words` at a point; they live until the function returns.
+  /// `words` at a point; the text is valid until the function returns.
   virtual void text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) = 0;
 
-  /// All faces of a shape: by itself triangles, and lines along the edges that are the shape's own.
+  /// All faces of a shape; by default as triangles, with lines along the edges that are the shape's own.
   virtual void polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning);
-  /// A direction, a unit vector, at a place: by itself a line of a length for the area, with two for its head.
+  /// A direction, a unit vector, at a place; by default as a line of a length that suits the area, with two for its
+  /// head.
   virtual void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning);
 
-  /// What is looked at.
+  /// The region of interest.
   const DrawArea& area() const { return area_; }
 
  protected:
@@ -98,12 +100,12 @@ class GRAZE_API DebugDraw {
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose,
                     DrawMeaning meaning = DrawMeaning::moving);
-/// The same in the plane.
+/// A shape of the plane in place.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& pose,
                     DrawMeaning meaning = DrawMeaning::moving);
 
-/// A box by its twelve edges, those that fall together once; nothing for one that is empty or has no end.
+/// A box by its twelve edges, coinciding ones once; nothing for a box that is empty or unbounded.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Aabb<T>& box, DrawLayer layer = DrawLayer::bounds,
                     DrawMeaning meaning = DrawMeaning::bounds);
@@ -111,52 +113,51 @@ GRAZE_API void draw(DebugDraw& on, const Aabb<T>& box, DrawLayer layer = DrawLay
 /// A contact manifold: its points, and its normal as an arrow from their middle.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Manifold<T>& manifold);
-/// The same in the plane.
+/// A contact manifold of the plane: its points, and its normal as an arrow from their middle.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Manifold<T>& manifold);
 
-/// The shortest way between two shapes, or out of each other, with its point on either.
+/// The shortest segment between two shapes, or the least translation out of each other, with its point on either.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Distance<T>& distance);
-/// The same in the plane.
+/// The shortest segment between two shapes of the plane, or the least translation out of each other.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Distance<T>& distance);
 
-/// A ray up to its hit, with the normal there; one that hits nothing as an arrow of its length, or to the end of the
-/// area.
+/// A ray up to its hit, with the normal there; a ray that misses as an arrow of its length, or to the end of the area.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Ray<T>& ray, T length, const std::optional<RayHit<T>>& hit);
-/// The same in the plane.
+/// A ray of the plane up to its hit, with the normal there, or its whole length.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Ray<T>& ray, T length, const std::optional<plane::RayHit<T>>& hit);
 
-/// A shape on its way, up to its hit or for the whole duration: the path of its origin, places along it, more where it
-/// turns, the place where it comes to, and there the point and the normal of the hit.
+/// A moving shape, up to its hit or for the whole duration: the path of its origin, shapes along it, more of them where
+/// it turns, the shape at the end, and there the point and the normal of the hit.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
                     const std::optional<CastHit<T>>& hit);
-/// The same in the plane.
+/// A moving shape of the plane, up to its hit or for the whole duration.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& pose,
                     const plane::Velocity<T>& velocity, T duration, const std::optional<plane::CastHit<T>>& hit);
 
-/// What a query did. Separating axes are drawn through the area's centre, on each the interval of either shape side by
-/// side, the axis that decided by its name; the Minkowski difference B - A is drawn about the origin, where it lies:
-/// the polygon of the plane, the last simplex of GJK with its search direction, and the polytope of EPA.
+/// The steps of a query. Separating axes are drawn through the area's centre, on each the intervals of the two shapes
+/// side by side, the axis that decided by its name; the Minkowski difference B - A is drawn about the origin, where it
+/// lies: the polygon of the plane, the last simplex of GJK with its search direction, and the polytope of EPA.
 GRAZE_API void draw(DebugDraw& on, const Trace& trace);
-/// One iteration of GJK, or one expansion of EPA: the simplex or polygon, the direction, and the point that was found.
+/// One iteration of GJK: the simplex, the search direction, and the support point that was found.
 GRAZE_API void draw(DebugDraw& on, const TraceGjk& iteration);
-/// One expansion of EPA: the polygon, and the point that was found.
+/// One expansion of EPA: the polytope's polygon, and the support point that was found.
 GRAZE_API void draw(DebugDraw& on, const TraceEpa& expansion);
 
-/// The boxes of a tree, those of its nodes and those in it.
+/// The boxes of a tree: the bounds of its nodes, and the boxes in it.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const DynamicTree<T>& tree);
 
-/// A joint of bodies that stand at these poses: from either origin to its anchor, and how far the anchors are apart.
+/// A joint of bodies at these poses: from either origin to its anchor, and the gap between the anchors.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Joint<T>& joint, const Pose<T>& pose_a, const Pose<T>& pose_b);
-/// The same in the plane.
+/// A joint of bodies of the plane at these poses.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const plane::Pose2<T>& pose_a,
                     const plane::Pose2<T>& pose_b);
@@ -165,8 +166,8 @@ GRAZE_API void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const
 template <class T, class Space>
 GRAZE_API void draw(DebugDraw& on, const World<T, Space>& world);
 
-/// As a world, with what sleeps told apart, and joints. Bodies stand where the last step left them, contacts where it
-/// began.
+/// A simulation: its world, with sleeping bodies marked, and its joints. Bodies are drawn where the last step left
+/// them, contacts where they were at its beginning.
 template <class T, class Space>
 GRAZE_API void draw(DebugDraw& on, const Simulation<T, Space>& simulation);
 

@@ -1,12 +1,12 @@
 // The default broad phase: a tree of bounds, eight children a node, that follows boxes as they move.
 //
-// The boxes themselves lie in the nodes; a node's own bounds leave them room, so that most moves change one box in one
-// node. What leaves its node stretches it, or, when it has gone far, is put in anew; parts that have been stretched too
-// much are built anew, and so is everything when much has changed. All of that happens at the next question.
+// The boxes lie in the nodes; a node's bounds leave them room, so that most moves change one box in one node. A box
+// that leaves its node stretches it, or is inserted anew after a long way; parts of the tree that have been stretched
+// too much are rebuilt, and so is the whole tree when much has changed. All of that happens at the next query.
 //
-// Guarantee: that of `BroadPhase`; how the tree came about changes no answer. Questions descend at most
-// 101 levels, without recursion. No allocation once the arrays are as large as a scene needs. Const
-// functions may be called from several threads at a time.
+// Guarantee: that of `BroadPhase`; the history of the tree changes no answer. Queries descend at most 101 levels,
+// without recursion. No allocation once the arrays are as large as a scene needs. Const functions may be called from
+// several threads at a time.
 #pragma once
 
 #include <atomic>
@@ -31,13 +31,13 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
 
   void insert(std::uint32_t id, const Aabb<T>& box) override;
   void remove(std::uint32_t id) override;
-  /// Constant time while the box stays in the room its node has.
+  /// Replaces a box, in constant time while it stays in the room of its node.
   void move(std::uint32_t id, const Aabb<T>& box) override;
 
   void pairs(std::vector<IdPair>& out) override;
-  /// Costs nothing for what stands still: only what moved is looked for in the tree.
+  /// Costs nothing for boxes at rest: the tree is searched for moved boxes only.
   void moved_pairs(std::vector<IdPair>& out) override;
-  /// A node's children are compared at once, and count as eight.
+  /// A comparison with the eight children of a node, made at once, counts as eight.
   std::uint64_t tests() const override;
 
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override;
@@ -45,27 +45,27 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
   std::size_t memory() const override;
   void parts(std::vector<BroadPhasePart<T>>& out) const override;
 
-  /// `f(id, box)` for all boxes that overlap `box`, in no particular order.
+  /// Calls `f(id, box)` for all boxes that overlap `box`, in no particular order.
   template <class F>
   void overlapping(const Aabb<T>& box, const F& f) const {
     refresh();
     each_overlapping(box, [&](std::uint32_t leaf) { f(id_[leaf], box_[leaf]); });
   }
-  /// `f(id, box)` for all boxes that `accept(box)`, in no particular order. Whatever a box accepts must be accepted by
-  /// all boxes around it.
+  /// Calls `f(id, box)` for all boxes for which `accept(box)` holds, in no particular order. `accept` must hold for
+  /// every box around an accepted one.
   template <class Accept, class F>
   void visit(const Accept& accept, const F& f) const {
     refresh();
     each_accepted(accept, accept, [&](std::uint32_t leaf) { f(id_[leaf], box_[leaf]); });
   }
-  /// The boxes no further than `limit` from `from`, the near parts of the tree first: `f(id, box)` returns the limit
-  /// from then on, for example the distance of the nearest shape so far; below zero it ends the search. A box that
-  /// rounding cannot tell from as near may be among them.
+  /// Visits the boxes no further than `limit` from `from`, the near parts of the tree first. `f(id, box)` returns the
+  /// limit from then on, for example the distance of the nearest shape so far; below zero it ends the search. A box
+  /// within rounding of the limit may be visited.
   template <class F>
   void nearest(const Aabb<T>& from, T limit, const F& f) const;
-  /// The boxes whose key is at most `limit`, those of a node in the order of their keys: `keys(node, out)` gives those
-  /// of a node's children, no larger than that of any box in them; `f(id, box)` returns the limit from then on, below
-  /// zero to end the search.
+  /// Visits the boxes whose key is at most `limit`, those of a node in the order of their keys. `keys(node, out)`
+  /// computes the keys of a node's children, which may not exceed that of any box below them; `f(id, box)` returns the
+  /// limit from then on, below zero to end the search.
   template <class Keys, class F>
   void in_order(const Keys& keys, T limit, const F& f) const;
 
@@ -73,15 +73,15 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
   static constexpr std::uint32_t width = WideNode<T>::width;
   static constexpr std::uint32_t nowhere = ~0u;
 
-  /// What is known of a box; its place in this array stays while it is there.
+  /// State flags of a box, whose index in the arrays stays while the box is held.
   enum State : std::uint8_t {
     present = 1,
     moved = 2,     ///< since `pairs` or `moved_pairs` was last called
-    reported = 4,  ///< while those are being found: its pairs are
+    reported = 4,  ///< its pairs have been reported in the search that is under way
     waiting = 8,   ///< out of its node, or not in the tree yet
     open = 16,     ///< without end, and hence in a list of its own
   };
-  struct Storage;  ///< what is kept from call to call and no question looks at
+  struct Storage;  ///< buffers kept from call to call, which no query reads
 
   void refresh() const {
     if (!stale_.load(std::memory_order_acquire)) return;
@@ -110,7 +110,7 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
   void moved_of(std::vector<IdPair>& out);
   void settle();
 
-  /// Calls `f(leaf)` for all boxes that overlap `box`. Returns how many were compared with it.
+  /// Calls `f(leaf)` for all boxes that overlap `box`. Returns the number of boxes that were compared with it.
   template <class F>
   std::uint64_t each_overlapping(const Aabb<T>& box, const F& f) const {
     for (const std::uint32_t leaf : open_)
@@ -158,9 +158,9 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
   }
 
   std::vector<WideNode<T>> nodes_;  ///< the first is the root
-  std::vector<Aabb<T>> box_;        ///< of each leaf, as are the next three
+  std::vector<Aabb<T>> box_;        ///< box of each leaf; the next three arrays are indexed alike
   std::vector<std::uint32_t> id_;
-  std::vector<std::uint32_t> where_;  ///< node * width + place; of an open one its place in the list
+  std::vector<std::uint32_t> where_;  ///< node * width + slot; for an unbounded box its index in `open_`
   std::vector<std::uint8_t> state_;
   std::vector<std::uint32_t> open_;
   std::unique_ptr<Storage> kept_;
@@ -171,7 +171,7 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
 template <class T>
 template <class F>
 void DynamicTree<T>::nearest(const Aabb<T>& from, T limit, const F& f) const {
-  // The distance of a box may be less than that of what is around it by the rounding of some eight operations each.
+  // Rounding of some eight operations may put a box nearer than the bounds around it.
   constexpr T slack = T(1) - T(16) * std::numeric_limits<T>::epsilon();
   const auto distances = [&](const WideNode<T>& node, std::array<T, width>& out) {
     node.distances(from, out);
@@ -189,7 +189,7 @@ void DynamicTree<T>::in_order(const Keys& keys, T limit, const F& f) const {
     std::uint32_t child;
   };
   SmallVector<Visit, 128> stack;
-  // The last first: the first is taken from the end.
+  // Reverse order, because the nearest is taken from the end.
   const auto add = [&](const WideNode<T>& node) {
     std::array<T, width> key;
     keys(node, key);

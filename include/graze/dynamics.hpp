@@ -1,7 +1,7 @@
-// How a body of a simulation is moved: its mass, where that lies, and who moves it.
+// Dynamics of a body of a simulation: its mass, centre of mass and inertia, damping and control.
 //
-// Guarantee: a plain value. What is left out follows from the shape. `Simulation::add` throws `InvalidValue` for what
-// is neither a mass nor an inertia, naming it.
+// Guarantee: a plain value. Omitted values follow from the shape. `Simulation::add` throws `InvalidValue` for values
+// that are neither a mass nor an inertia, naming them.
 #pragma once
 
 #include <optional>
@@ -13,20 +13,20 @@ namespace graze {
 /// The motion of a body, as KHR_physics_rigid_bodies describes it. Lengths, masses and times are in the caller's units.
 template <class T>
 struct Dynamics {
-  /// > 0. Infinite for a body that nothing pushes: it keeps its velocity, gravity included. By default the volume of
-  /// the shape times `density`; a shape without volume that is neither fixed nor kinematic has to be given one.
+  /// Mass, > 0; infinite for a body that impulses do not change: it keeps its velocity, gravity included. By default
+  /// the volume of the shape times `density`; required for a shape without volume that is neither fixed nor kinematic.
   std::optional<T> mass;
   std::optional<Vec3<T>> center_of_mass;  ///< in the body's frame; by default that of the shape
-  /// About the axes of `inertia_orientation` through the centre of mass: each > 0, infinite for an axis about which the
-  /// body does not turn; of three finite ones none larger than the sum of the others. By default that of the shape,
-  /// filled evenly with the mass; about another centre of mass, too.
+  /// Moments of inertia about the axes of `inertia_orientation` through the centre of mass: each > 0, infinite for an
+  /// axis about which the body does not turn; of three finite ones none larger than the sum of the others. By default
+  /// those of the shape, filled evenly with the mass, even about another centre of mass.
   std::optional<Vec3<T>> inertia_diagonal;
   Quat<T> inertia_orientation{};  ///< in the body's frame; of no effect without `inertia_diagonal`
   T density = T(1000);            ///< > 0
   T gravity_factor = T(1);        ///< times the simulation's gravity
   T linear_damping = T(0);        ///< >= 0, per unit of time: a velocity v falls as v' = -damping v
-  T angular_damping = T(0);       ///< the same of the turning
-  bool kinematic = false;         ///< keeps the velocity that it is given: pushes and is not pushed
+  T angular_damping = T(0);       ///< >= 0, per unit of time: damping of the angular velocity
+  bool kinematic = false;         ///< keeps its given velocity: pushes other bodies and is not pushed
   bool may_sleep = true;          ///< sleeps with its island where nothing in it moves
 };
 

@@ -1,7 +1,7 @@
 // The one error type of the library.
 //
 // Guarantee: only builders (constructors of shapes, loaders, parsers) throw it, never a query; it names the value at
-// fault as a path below the thing that was being built, what was expected there, and what was found.
+// fault as a path within the object that was being built, the expectation there, and the value found.
 #pragma once
 
 #include <stdexcept>
@@ -11,20 +11,20 @@
 
 namespace graze {
 
-/// A value that is refused. `what()`: "path: expected expectation, got found", or "path: found" without an expectation.
+/// A refused value. `what()`: "path: expected expectation, got found", or "path: found" without an expectation.
 class GRAZE_API InvalidValue : public std::invalid_argument {
  public:
-  /// What was expected there.
+  /// An error at `path`, where `expectation` was required and `found` was given.
   InvalidValue(const std::string& path, const std::string& expectation, const std::string& found);
 
-  /// Which value is at fault.
+  /// The path of the value at fault.
   const std::string& path() const noexcept { return path_; }
-  /// What was expected there.
+  /// The expectation at the path.
   const std::string& expectation() const noexcept { return expectation_; }
-  /// What was found instead.
+  /// The value that was found there.
   const std::string& found() const noexcept { return found_; }
 
-  /// The same error seen from one level further out: the path becomes `outer.path` (or `outer[..]` before an index).
+  /// This error as seen from one level further out: the path becomes `outer.path` (or `outer[..]` before an index).
   InvalidValue below(const std::string& outer) const;
 
  private:

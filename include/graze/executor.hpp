@@ -1,7 +1,7 @@
-// Threads come from the caller.
+// Executors: threads that come from the caller.
 //
-// Guarantee: Graze starts no thread and takes no lock of its own around this; whatever runs the tasks, on however many
-// threads and in whatever order, the answers are the same bits.
+// Guarantee: Graze starts no threads of its own and takes no locks around an executor; whatever runs the tasks, on
+// however many threads and in whatever order, the answers are the same bits.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 
 namespace graze {
 
-/// What runs tasks side by side: a job system behind two functions.
+/// A job system behind two functions: runs tasks in parallel.
 class GRAZE_API Executor {
  public:
   virtual ~Executor() = default;
-  /// How many tasks may run at a time: at least 1. Work is cut into some more pieces than that.
+  /// Number of tasks that run at a time: at least 1. Work is cut into some more pieces than that.
   virtual std::size_t concurrency() const = 0;
   /// Calls `task(i)` once for each i < count, in any order and from any threads, and returns when all have returned.
   /// Tasks do not throw.

@@ -1,4 +1,5 @@
-// A number as the sum of two, a large and a small one: twice the digits, for the few questions that cancel too many.
+// Double-word arithmetic: a number as the sum of a large and a small one, twice the digits, for computations that
+// cancel.
 //
 // Guarantee: IEEE-exact operations in the order written, so that a scalar and each lane of a `Wide` give the same bits.
 // Relative errors of an operation are some units of the square of the scalar's, as long as nothing under- or overflows.
@@ -10,20 +11,20 @@
 
 namespace graze {
 
-/// `S` is `float`, `double` or a lane type.
+/// A double-word number. `S` is `float`, `double` or a lane type.
 template <class S>
 struct Extended {
-  using Mask = decltype(S() < S());  ///< what a comparison gives
+  using Mask = decltype(S() < S());  ///< the result of a comparison
 
-  S high{}, low{};  ///< the number rounded, and what rounding took
+  S high{}, low{};  ///< the rounded number, and its rounding error
 
   constexpr Extended() = default;
-  /// A number as it is.
+  /// An ordinary number, exactly.
   constexpr explicit(false) Extended(const S& number) : high(number), low(0) {}
-  /// The sum of two parts, the second of which is less than the last digit of the first.
+  /// The sum of two parts, the second less than a unit in the last place of the first.
   constexpr Extended(const S& high_part, const S& low_part) : high(high_part), low(low_part) {}
 
-  /// Rounded.
+  /// The number rounded to `S`.
   explicit constexpr operator S() const { return high; }
 
   /// a + b without rounding.
@@ -33,7 +34,7 @@ struct Extended {
   }
   /// a * b without rounding.
   static constexpr Extended product(const S& a, const S& b) {
-    // Halves of the digits, of which products are exact.
+    // Split into halves of the digits, whose products are exact (Veltkamp; Dekker 1971).
     using Number = typename Lane<S>::type;
     const S split(static_cast<Number>(sizeof(Number) == 4 ? 0x1p12 + 1 : 0x1p27 + 1));
     const S wide_a = split * a, wide_b = split * b;
@@ -69,7 +70,7 @@ struct Extended {
   friend constexpr Mask operator<=(const Extended& a, const Extended& b) { return !(b < a); }
   friend constexpr Mask operator>=(const Extended& a, const Extended& b) { return !(a < b); }
 
-  /// With about twice the digits of a number.
+  /// `yes` where the condition holds, else `no`, lane by lane.
   friend constexpr Extended select(const Mask& condition, const Extended& yes, const Extended& no) {
     return {select(condition, yes.high, no.high), select(condition, yes.low, no.low)};
   }
@@ -87,14 +88,14 @@ struct Extended {
     using type = typename L::Lane;
   };
 
-  /// a + b without rounding, where a is the larger or zero.
+  /// a + b without rounding, if |a| >= |b| or a is zero.
   static constexpr Extended ordered_sum(const S& a, const S& b) {
     const S s = a + b;
     return {s, b - (s - a)};
   }
 };
 
-/// A vector as it is.
+/// A vector in double-word numbers, exactly.
 template <class S>
 constexpr Vec3<Extended<S>> extended(const Vec3<S>& v) {
   return {v.x, v.y, v.z};

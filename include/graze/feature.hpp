@@ -1,27 +1,28 @@
-// The part of a shape that a point of contact names: a vertex, an edge or a face, by its number.
+// Features: the vertex, edge or face of a shape that a contact point lies on, by its number.
 //
-// Guarantee: of a shape's 14-bit numbers each names one part alone in shapes of up to 16,384 of them.
+// Guarantee: the 14-bit numbers are unique within shapes of up to 16,384 vertices, edges or faces of a kind.
 #pragma once
 
 #include <cstdint>
 
 namespace graze {
 
-/// The kind of part that a shape touches with.
+/// The kind of a feature.
 enum class FeatureKind : std::uint8_t { none, vertex, edge, face };
 
-/// The part of one shape, half of the `feature` of a contact point.
+/// The feature of one shape: half of a contact point's `feature`.
 struct Feature {
-  FeatureKind kind = FeatureKind::none;  ///< none of what is smooth and has no parts
-  /// The number of the vertex or the face; an edge has one in a form of its own, in the plane that of its first vertex.
+  FeatureKind kind = FeatureKind::none;  ///< `none` for smooth shapes, which have no features
+  /// The number of the vertex or the face. An edge has a number in a form of its own, in the plane that of its first
+  /// vertex.
   std::uint32_t number = 0;
 };
 
-/// The part of A that a point of contact lies on.
+/// The feature of A that a contact point lies on.
 constexpr Feature feature_of_a(std::uint32_t feature) {
   return {static_cast<FeatureKind>(feature >> 30), feature >> 16 & 0x3fff};
 }
-/// The part of B that a point of contact lies on.
+/// The feature of B that a contact point lies on.
 constexpr Feature feature_of_b(std::uint32_t feature) { return feature_of_a(feature << 16); }
 
 }  // namespace graze

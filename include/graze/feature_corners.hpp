@@ -1,9 +1,9 @@
-// The features of contact points by their corners: which vertex, edge or face of a shape a point of contact names.
+// Corners of features: the vertices of the vertex, edge or face of a shape that a contact point lies on.
 //
-// Guarantee: a point on A lies on the feature that its number names, wherever that has corners, or as near to an edge
-// as a hundredth of the faces' shortest edge. The corners are those of the core: of a rounded box those of the box
-// within, about which the rounding lies. Where a number may name several parts (of over 16,384, or of the edges of a
-// shape with over 127 vertices), what is not certain has no corners.
+// Guarantee: a point on A lies on the feature of its number, wherever that has corners, or as near to an edge as a
+// hundredth of the faces' shortest edge. The corners are those of the core: for a rounded box those of the box within,
+// around which the rounding lies. Where a number may name several features (of over 16,384, or of the edges of a shape
+// with over 127 vertices), an ambiguous one has no corners.
 #pragma once
 
 #include "graze/feature.hpp"
@@ -12,9 +12,9 @@
 
 namespace graze {
 
-/// The corners of a feature, in the shape's frame: one of a vertex, two of an edge, those of a face counter-clockwise
-/// seen from outside. None of what has no corners (caps of cylinders and cones, half-spaces, shapes of the user's own),
-/// or is not certain. `piece` is that of the manifold, where a mesh, a height field or a compound touches. Costs the
+/// The corners of a feature, in the shape's frame: one for a vertex, two for an edge, those of a face counter-clockwise
+/// seen from outside. Empty for features without corners (caps of cylinders and cones, half-spaces, shapes of the
+/// user's own) and for ambiguous ones. `piece` is the manifold's, for a mesh, a height field or a compound. Costs the
 /// number of edges.
 template <class T>
 GRAZE_API SmallVector<Vec3<T>, 8> feature_corners(const Shape<T>& shape, std::uint32_t piece, Feature feature);

@@ -1,4 +1,4 @@
-// Which pairs are worth asking about: categories, masks, groups.
+// Collision filters: categories, masks and groups that decide which pairs are tested.
 //
 // Guarantee: one AND each way and one comparison a pair; symmetric: swapping the two never changes the verdict.
 #pragma once
@@ -9,11 +9,12 @@
 
 namespace graze {
 
-/// What a body is and what it collides with.
+/// The category of a body and the categories that it collides with.
 struct Filter {
   std::uint64_t category = 1;              ///< the bits that this body belongs to
   std::uint64_t mask = ~std::uint64_t{0};  ///< the bits that it collides with
-  std::int32_t group = 0;                  ///< of equal groups: positive always collide, negative never; 0 is no group
+  std::int32_t group = 0;                  ///< bodies of equal groups collide always if positive, never if negative; 0
+                                           ///< is no group
 
   friend constexpr bool operator==(const Filter&, const Filter&) = default;
 };

@@ -1,7 +1,7 @@
-// A vector of bounded length in place.
+// A vector of bounded length, stored in place.
 //
-// Guarantee: no allocation, and memory of elements that are not there is neither written nor copied: an empty vector of
-// thousands costs nothing. The caller keeps within N.
+// Guarantee: no allocation, and memory of absent elements is neither written nor copied: an empty vector of thousands
+// costs nothing. The caller keeps within N.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 
 namespace graze {
 
-/// A list of up to N elements that stands in place.
+/// A list of up to N elements, stored in place.
 template <class T, std::size_t N>
 class FixedVector {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
-  FixedVector() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
-  /// A copy has only the elements that are there.
+  FixedVector() {}  // NOLINT(modernize-use-equals-default): a union would delete it
+  /// Copies only the elements that are there.
   FixedVector(const FixedVector& other) { *this = other; }
-  /// A copy has only the elements that are there.
+  /// Copies only the elements that are there.
   FixedVector& operator=(const FixedVector& other) {
     size_ = other.size_;
     std::copy_n(other.items_, size_, items_);
@@ -27,7 +27,7 @@ class FixedVector {
   }
   ~FixedVector() = default;
 
-  /// How many there is room for.
+  /// The largest number of elements.
   static constexpr std::size_t capacity() { return N; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -43,11 +43,11 @@ class FixedVector {
   const T* end() const { return items_ + size_; }
   T& back() { return items_[size_ - 1]; }
   const T& back() const { return items_[size_ - 1]; }
-  /// One more; there has to be room.
+  /// Appends an element; there has to be room.
   void push_back(const T& value) { items_[size_++] = value; }
-  /// One more element, whose value is whatever the memory holds.
+  /// Appends an element without initialising it.
   T& emplace_back() { return items_[size_++]; }
-  /// Without the last one, which has to be there.
+  /// Removes the last element, which has to exist.
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
   /// Drops all elements from position `count` on.

@@ -1,4 +1,4 @@
-// How a rigid body moves while nothing touches it: falling and turning.
+// Free motion of a rigid body: falling and turning without contact.
 //
 // Guarantee: the angular momentum is the state, in world space, and a step without torque does not touch it: its length
 // and direction stay bit for bit. The centre of mass moves exactly, up to rounding, under a constant acceleration. The
@@ -15,8 +15,8 @@ namespace graze {
 /// A body in free motion. Its frame has the principal axes of inertia as its axes and the centre of mass as its origin.
 template <class T>
 struct FreeBody {
-  Vec3<T> center{};            ///< of mass, in world space
-  Quat<T> rotation{};          ///< of the principal axes
+  Vec3<T> center{};            ///< centre of mass, in world space
+  Quat<T> rotation{};          ///< orientation of the principal axes in world space
   Vec3<T> linear{};            ///< velocity of the centre of mass
   Vec3<T> angular_momentum{};  ///< about the centre of mass, in world space
   Vec3<T> inverse_inertia{};   ///< about the principal axes; zero where the body does not turn
@@ -26,18 +26,18 @@ struct FreeBody {
 template <class T>
 GRAZE_API Vec3<T> angular_velocity(const FreeBody<T>& body);
 
-/// Sets the angular momentum from an angular velocity in world space; turning about an axis about which the body does
-/// not turn is left out.
+/// Sets the angular momentum from an angular velocity in world space. Rotation about an axis of zero inverse inertia is
+/// left out.
 template <class T>
 GRAZE_API void set_angular_velocity(FreeBody<T>& body, const Vec3<T>& angular);
 
-/// The motion as contacts see it.
+/// The motion of the body, for the functions of contact_motion.hpp.
 template <class T>
 Motion<T> motion_of(const FreeBody<T>& body) {
   return {body.linear, angular_velocity(body), body.center};
 }
 
-/// The energy of the turning.
+/// The kinetic energy of the rotation.
 template <class T>
 T rotational_energy(const FreeBody<T>& body) {
   return dot(body.angular_momentum, angular_velocity(body)) / T(2);
@@ -48,7 +48,8 @@ T rotational_energy(const FreeBody<T>& body) {
 template <class T>
 GRAZE_API void advance(FreeBody<T>& body, const Vec3<T>& acceleration, T duration);
 
-/// What turns further in one step than these reach keeps its angular momentum, and loses accuracy in its orientation.
+/// Largest number of steps of rotation; a body that turns further in one call keeps its angular momentum, and loses
+/// accuracy in its orientation.
 inline constexpr int most_rotation_steps = 64;
 
 }  // namespace graze

@@ -1,8 +1,9 @@
-// The small exact questions: nearest points between points, lines, planes, triangles and boxes; rays against them;
-// planes from what one has; a box as vertices, planes or edge vectors.
+// Elementary geometric queries: nearest points between points, lines, planes, triangles and boxes; rays against them;
+// planes from points and normals; a box as vertices, planes or edge vectors.
 //
 // Guarantee: closed forms in IEEE-exact operations, without a branch on the data, so that they run on any lane type.
-// Degenerate input (a segment without length, a triangle without area) answers as what it has become.
+// Degenerate input (a segment without length, a triangle without area) is treated as the point or segment it has
+// become.
 // Sources: Ericson 2005, "Real-time collision detection", chapter 5; Eberly 2000-2020, "Geometric tools", distance
 // pages; Möller, Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
 #pragma once
@@ -24,21 +25,21 @@ T ratio(const T& numerator, const T& denominator) {
   return select(positive, numerator / select(positive, denominator, T(1)), T(0));
 }
 
-/// Where on the segment, from 0 at `a` to 1 at `b`, lies the point nearest to `p`.
+/// The parameter, from 0 at `a` to 1 at `b`, of the point of the segment nearest to `p`.
 template <class T>
 T closest_parameter(const Segment<T>& s, const Vec3<T>& p) {
   const Vec3<T> d = s.b - s.a;
   return clamp(ratio(dot(p - s.a, d), dot(d, d)), T(0), T(1));
 }
 
-/// The point of the segment at parameter `t`; from the nearer end, so that t = 1 gives `b` to the last bit.
+/// The point of the segment at parameter `t`, computed from the nearer end, so that t = 1 gives `b` to the last bit.
 template <class T>
 Vec3<T> point_at(const Segment<T>& s, const T& t) {
   const Vec3<T> d = s.b - s.a;
   return select(t <= T(0.5), s.a + d * t, s.b - d * (T(1) - t));
 }
 
-/// The point of the thing that is nearest to `p`.
+/// The point of the segment nearest to `p`.
 template <class T>
 Vec3<T> closest_point(const Segment<T>& s, const Vec3<T>& p) {
   return point_at(s, closest_parameter(s, p));
@@ -51,7 +52,7 @@ Vec3<T> closest_point_on_line(const Ray<T>& line, const Vec3<T>& p) {
          line.direction * ratio(dot(p - line.origin, line.direction), dot(line.direction, line.direction));
 }
 
-/// The point of the thing that is nearest to `p`.
+/// The point of the plane nearest to `p`.
 template <class T>
 Vec3<T> closest_point(const Plane<T>& plane, const Vec3<T>& p) {
   return p - plane.normal * signed_distance(plane, p);
@@ -66,13 +67,14 @@ Vec3<T> closest_point_in_box(const Vec3<T>& half, const Vec3<T>& p) {
 /// A point of a triangle with its barycentric weights.
 template <class T>
 struct TrianglePoint {
-  Vec3<T> point;   ///< the point in common
-  Vec3<T> weight;  ///< of the vertices a, b, c; sums to one
+  Vec3<T> point;   ///< the point
+  Vec3<T> weight;  ///< barycentric weights of the vertices a, b, c; they sum to one
 };
 
 namespace detail {
 
-/// By barycentric coordinates, which are areas, and the edges. An area loses as many digits as the triangle is slender.
+/// The point of a triangle nearest to `p`, by barycentric coordinates, which are areas, and by the edges. An area loses
+/// as many digits as the triangle is slender.
 template <class T>
 TrianglePoint<T> closest_point_by_areas(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p) {
   const Vec3<T> n = cross(b - a, c - a);
@@ -100,11 +102,11 @@ TrianglePoint<T> closest_point_by_areas(const Vec3<T>& a, const Vec3<T>& b, cons
 
 }  // namespace detail
 
-/// The height of a triangle over its longest edge, relative to that edge, below which areas are computed in twice the
-/// digits: at this one they have lost two digits.
+/// The height of a triangle over its longest edge, relative to that edge, below which areas are computed with twice the
+/// digits: at this ratio they have lost two digits.
 inline constexpr double slender_triangle = 1.0 / 128;
 
-/// The point of the triangle a, b, c nearest to `p`, right to some roundings of the coordinates and of the distance
+/// The point of the triangle a, b, c nearest to `p`, accurate to some roundings of the coordinates and of the distance
 /// however slender the triangle. Slender ones take some twenty times as long.
 template <class T>
 TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p) {
@@ -117,18 +119,18 @@ TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, c
           select(slender, converted<T>(exact.weight), by_areas.weight)};
 }
 
-/// Parameters of the nearest points of two segments or lines.
+/// Parameters of the nearest points of two segments or of two lines.
 template <class T>
 struct ClosestParameters {
-  T s, t;  ///< places along the first and the second line, in units of their directions
+  T s, t;  ///< along the first and the second, in units of their directions
 };
 
-/// The nearest points of two segments. Of parallel ones, some pair that is nearest.
+/// The parameters of the nearest points of two segments; for parallel ones, of some nearest pair.
 template <class T>
 ClosestParameters<T> closest_parameters(const Segment<T>& p, const Segment<T>& q) {
   const Vec3<T> d1 = p.b - p.a, d2 = q.b - q.a, r = p.a - q.a;
   const T a = dot(d1, d1), e = dot(d2, d2), b = dot(d1, d2);
-  // The numerators by the cross product, which loses no digits to cancellation for near-parallel segments.
+  // Numerators by the cross product, which loses no digits to cancellation for near-parallel segments.
   const Vec3<T> n = cross(d1, d2);
   // Scaled, so that lengths are multiplied twice and not four times.
   const T scale = max_abs(n);
@@ -141,7 +143,7 @@ ClosestParameters<T> closest_parameters(const Segment<T>& p, const Segment<T>& q
   return {s, t_again};
 }
 
-/// The nearest points of two infinite lines; for parallel ones s = 0.
+/// The parameters of the nearest points of two infinite lines; for parallel ones s = 0.
 template <class T>
 ClosestParameters<T> closest_parameters_of_lines(const Ray<T>& p, const Ray<T>& q) {
   const Vec3<T> r = p.origin - q.origin, n = cross(p.direction, q.direction);
@@ -151,7 +153,7 @@ ClosestParameters<T> closest_parameters_of_lines(const Ray<T>& p, const Ray<T>& 
   return {s, t};
 }
 
-/// Where a ray meets something: `t` in multiples of the ray's direction; infinite when it does not.
+/// The parameter `t` at which a ray meets a plane, in multiples of the ray's direction; infinite for a miss.
 template <class T>
 T intersect(const Ray<T>& ray, const Plane<T>& plane) {
   const T toward = dot(plane.normal, ray.direction), above = signed_distance(plane, ray.origin);
@@ -160,13 +162,15 @@ T intersect(const Ray<T>& ray, const Plane<T>& plane) {
   return select(hit, t, select(above == T(0), T(0), T(std::numeric_limits<float>::infinity())));
 }
 
-/// First hit with the ball's surface, 0 when the ray starts inside. The direction is of unit length.
+/// The parameter of a ray's first hit with a ball's surface, 0 when the ray starts inside, infinite for a miss. The
+/// direction is of unit length.
 template <class T>
 T intersect_sphere(const Ray<T>& ray, const Vec3<T>& center, const T& radius) {
   using std::sqrt;
   const Vec3<T> to = center - ray.origin;
   const T along = dot(to, ray.direction);
-  // The distance of the centre from the ray by what is left of `to`, not by a difference of squares (Hearn, Baker).
+  // Distance of the centre from the ray by the perpendicular part of `to`, not by a difference of squares, which
+  // cancels (Hearn, Baker).
   const Vec3<T> across = to - ray.direction * along;
   const T under = radius * radius - dot(across, across);
   const auto inside = dot(to, to) <= radius * radius;
@@ -175,7 +179,8 @@ T intersect_sphere(const Ray<T>& ray, const Vec3<T>& center, const T& radius) {
   return select(inside, T(0), select(hit, entry, T(std::numeric_limits<float>::infinity())));
 }
 
-/// First hit with the box |q_i| <= half_i, 0 when the ray starts inside (slabs: Kay, Kajiya 1986).
+/// The parameter of a ray's first hit with the box |q_i| <= half_i, 0 when the ray starts inside, infinite for a miss
+/// (slabs: Kay, Kajiya 1986).
 template <class T>
 T intersect_box(const Ray<T>& ray, const Vec3<T>& half) {
   const T inf(std::numeric_limits<float>::infinity());
@@ -192,14 +197,15 @@ T intersect_box(const Ray<T>& ray, const Vec3<T>& half) {
   return select(enter <= leave, enter, inf);
 }
 
-/// A ray's hit with a triangle: `t` (infinite for none) and the barycentric weights of the point.
+/// The hit of a ray with a triangle.
 template <class T>
 struct TriangleHit {
-  T t;             ///< the place along the line, in units of its direction
-  Vec3<T> weight;  ///< of each corner of the triangle; they add up to one
+  T t;             ///< parameter along the ray, in units of its direction; infinite for a miss
+  Vec3<T> weight;  ///< barycentric weights of the vertices; they sum to one
 };
 
-/// Both sides count; a ray in the triangle's plane misses.
+/// The hit of a ray with the triangle a, b, c (Möller, Trumbore 1997). Both sides count; a ray in the triangle's plane
+/// misses.
 template <class T>
 TriangleHit<T> intersect_triangle(const Ray<T>& ray, const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
   const Vec3<T> ab = b - a, ac = c - a, p = cross(ray.direction, ac);
@@ -231,7 +237,7 @@ Plane<T> plane_from(const Vec3<T>& normal, const T& distance) {
   return {normalized(normal), distance};
 }
 
-/// A box anywhere: centre and turn as a pose, half extents along its own axes.
+/// A box in any place: centre and rotation as a pose, half extents along its own axes.
 template <class T>
 struct OrientedBox {
   Pose<T> pose{};  ///< where it stands
@@ -267,7 +273,7 @@ std::array<Plane<T>, 6> planes_of(const OrientedBox<T>& box) {
   }
   return out;
 }
-/// The same box by a corner and its edges.
+/// The box by its corner of least local coordinates and the edges that leave it.
 template <class T>
 CornerBox<T> corner_of(const OrientedBox<T>& box) {
   const Mat3<T> m = rotation_matrix(box.pose.rotation);

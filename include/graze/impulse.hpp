@@ -1,8 +1,8 @@
-// What a blow does: in what direction, how fast and how turning two bodies go on after they have met at a point.
+// Collision response: the motions of two bodies after they have met at a point.
 //
-// Guarantee: the closed form for rigid bodies, up to rounding. Momentum and angular momentum of the two together stay
-// what they were; a pair that parts is left alone bit for bit; with a restitution of at most 1 and without friction
-// kinetic energy does not grow. No state, no allocation, a few hundred operations.
+// Guarantee: the closed form for rigid bodies, up to rounding. Momentum and angular momentum of the two together are
+// conserved; a pair that parts is left alone bit for bit; with a restitution of at most 1 and without friction kinetic
+// energy does not grow. No state, no allocation, a few hundred operations.
 //
 // The method is Newton's law of impact with Coulomb's law of friction (Mirtich 1996, chapter 3; Baraff 1997, part II).
 // With r the point seen from a centre of mass, B's material point moves relative to A's with
@@ -21,35 +21,35 @@
 
 namespace graze {
 
-/// A body as a blow meets it.
+/// A body in a collision.
 template <class T, class Space = graze::Space<T>>
 struct StruckBody {
-  typename Rigid<Space>::Motion motion{};     ///< how it moves
-  typename Rigid<Space>::InverseMass mass{};  ///< what a blow does to it
+  typename Rigid<Space>::Motion motion{};     ///< velocities and centre of mass
+  typename Rigid<Space>::InverseMass mass{};  ///< inverse mass and inertia
 };
 
 /// A contact of two bodies, in world space.
 template <class T>
 struct StruckContact {
-  Vec3<T> point{};       ///< where the two touch, in the world
+  Vec3<T> point{};       ///< the point of contact
   Vec3<T> normal{};      ///< unit, from A to B
-  T restitution = T(0);  ///< how much of the approach comes back, 0 to 1
+  T restitution = T(0);  ///< fraction of the approach speed that comes back, 0 to 1
   T friction = T(0.6);   ///< Coulomb's coefficient
 };
 
-/// What the blow does, and the quantities that lead to it in the order in which they are computed.
+/// The response of two bodies, and the quantities that lead to it in the order in which they are computed.
 template <class T>
 struct Response {
-  RelativeVelocity<T> approach{};       ///< of B seen from A, before the blow
+  RelativeVelocity<T> approach{};       ///< velocity of B relative to A before the impact
   AtFault at_fault = AtFault::neither;  ///< which body moves into the other
-  T effective_mass{};          ///< 1 / n·K n: what resists along the normal; infinite for two immovable bodies
-  T normal_impulse{};          ///< j >= 0
-  Vec3<T> sliding{};           ///< the tangential velocity that j leaves
-  Vec3<T> stopping_impulse{};  ///< in the tangent plane: would end the sliding
-  T friction_limit{};          ///< friction · j: the radius of Coulomb's cone at j
-  Vec3<T> friction_impulse{};  ///< the stopping impulse, no longer than the limit
-  Vec3<T> impulse{};           ///< on B at the point, normal and friction together; A's is its opposite
-  Motion<T> a{}, b{};          ///< after it
+  T effective_mass{};                   ///< 1 / n·K n: the inertia along the normal; infinite for two immovable bodies
+  T normal_impulse{};                   ///< j >= 0
+  Vec3<T> sliding{};                    ///< the tangential velocity that j leaves
+  Vec3<T> stopping_impulse{};           ///< in the tangent plane: would end the sliding
+  T friction_limit{};                   ///< friction · j: the radius of Coulomb's cone at j
+  Vec3<T> friction_impulse{};           ///< the stopping impulse, no longer than the limit
+  Vec3<T> impulse{};                    ///< on B at the point, normal and friction together; A's is its opposite
+  Motion<T> a{}, b{};                   ///< motions after the impact
 
   /// Whether friction ended the sliding.
   bool holds() const { return friction_impulse == stopping_impulse; }
@@ -60,7 +60,7 @@ template <class T, class Space>
 GRAZE_API typename Rigid<Space>::Motion
 apply_impulse(const StruckBody<T, Space>& body, const typename Space::Vec& impulse, const typename Space::Vec& point);
 
-/// What the bodies do when they meet at `contact`. Two immovable bodies go on as they are.
+/// The response of two bodies that meet at `contact`. Two immovable bodies go on as they are.
 template <class T>
 GRAZE_API Response<T> response(const StruckContact<T>& contact, const StruckBody<T>& a, const StruckBody<T>& b);
 

@@ -1,8 +1,8 @@
-// Joints: what two bodies may do relative to each other.
+// Joints: constraints on the relative motion of two bodies.
 //
-// Guarantee: plain values. One kind of joint, as in KHR_physics_rigid_bodies: a frame on either body, limits on how far
-// the second may be from the first along and about the first's axes, and drives that push it there. What is not limited
-// is free. The named joints below are limits like any others.
+// Guarantee: plain values. One kind of joint, as in KHR_physics_rigid_bodies: a frame on either body, limits on the
+// distance of the second along and about the first's axes, and drives that push it there. Axes without a limit are
+// free. The named joints below are limits like any others.
 #pragma once
 
 #include <array>
@@ -19,19 +19,20 @@ namespace graze {
 
 /// A handle: the index of a joint, and how often the index was given away before.
 struct JointId {
-  /// Which place, and which of the bodies or joints that had it.
+  /// The slot, and how often the slot was given away before.
   std::uint32_t index = ~std::uint32_t{0}, generation = 0;
 
   friend constexpr bool operator==(const JointId&, const JointId&) = default;
   friend constexpr auto operator<=>(const JointId&, const JointId&) = default;
 };
 
-/// What a limit or drive is about: the way between the origins of the two frames, or the turn between their axes.
+/// The quantity of a limit or drive: the offset between the origins of the two frames, or the rotation between their
+/// axes.
 enum class JointSpace : std::uint8_t { linear, angular };
 
-/// Bounds on one axis of frame A, or on two or three together: then on the length of the part of the way (or of the
-/// rotation) that lies in them, so that two linear axes make a tube, three a ball, and two angular axes a cone.
-/// Lengths, or radians.
+/// Bounds on one axis of frame A, or on two or three together: then on the length of the part of the offset (or of the
+/// rotation) that lies in them, so that two linear axes make a tube, three a ball, and two angular axes a cone. In
+/// units of length, or in radians.
 template <class T>
 struct JointLimit {
   JointSpace space = JointSpace::linear;  ///< along an axis, or about it
@@ -50,40 +51,41 @@ struct JointDrive {
   JointSpace space = JointSpace::linear;  ///< along an axis, or about it
   DriveMode mode = DriveMode::force;      ///< whether stiffness and damping are of a force or of an acceleration
   std::uint8_t axis = 0;                  ///< 0, 1, 2: x, y, z of frame A
-  T position_target = T(0), velocity_target = T(0);  ///< where the drive pulls to, and how fast it should get there
+  T position_target = T(0), velocity_target = T(0);  ///< targets of the position and of the velocity
   T stiffness = T(0), damping = T(0);                ///< >= 0
   T max_force = std::numeric_limits<T>::infinity();  ///< >= 0; a torque for an angular axis
 };
 
-/// In the plane (`graze/plane/joint.hpp`) frames have two axes to move along, x and y, and turn about the third, z.
+/// A joint of two bodies. In the plane (`graze/plane/joint.hpp`) frames have two axes to move along, x and y, and turn
+/// about the third, z.
 template <class T, class Space = graze::Space<T>>
 struct Joint {
   BodyId a{}, b{};                            ///< two different bodies; a fixed one ties the other to the world
   typename Space::Pose frame_a{}, frame_b{};  ///< each in its body's frame
-  std::vector<JointLimit<T>> limits;          ///< what it holds back
-  std::vector<JointDrive<T>> drives;          ///< what pulls it
-  bool enable_collision = false;              ///< otherwise the two do not touch each other
+  std::vector<JointLimit<T>> limits;          ///< bounds on the relative position
+  std::vector<JointDrive<T>> drives;          ///< motors
+  bool enable_collision = false;              ///< whether the two bodies may touch each other
 };
 
-/// The frames stay one.
+/// A joint that keeps the two frames coincident.
 template <class T>
 Joint<T> fixed_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b) {
   return {a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}}, {JointSpace::angular, {true, true, true}}},
           {}};
 }
-/// The origins of the frames stay one.
+/// A joint that keeps the origins of the frames coincident.
 template <class T>
 Joint<T> ball_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b) {
   return {a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}}}, {}};
 }
-/// A turn about the x axis is free.
+/// A joint that leaves the rotation about the x axis free.
 template <class T>
 Joint<T> hinge_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b) {
   return {
       a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}}, {JointSpace::angular, {false, true, true}}},
       {}};
 }
-/// A way along the x axis is free, from `min` to `max`.
+/// A joint that leaves the translation along the x axis free, from `min` to `max`.
 template <class T>
 Joint<T> slider_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b,
                       T min = -std::numeric_limits<T>::infinity(), T max = std::numeric_limits<T>::infinity()) {
@@ -94,7 +96,7 @@ Joint<T> slider_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>&
     joint.limits.push_back({JointSpace::linear, {true, false, false}, min, max, {}, T(0)});
   return joint;
 }
-/// The origins of the frames stay from `min` to `max` apart.
+/// A joint that keeps the origins of the frames from `min` to `max` apart.
 template <class T>
 Joint<T> distance_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b, T min, T max) {
   return {a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}, min, max, {}, T(0)}}, {}};

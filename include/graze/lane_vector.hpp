@@ -1,8 +1,8 @@
-// N numbers side by side, of which the lane type is made.
+// Vectors of N numbers, the storage of the lane type.
 //
-// Guarantee: g++ and clang compute on them with their vector extensions; for other compilers they are a struct of the
-// same operations, one after the other, which gives the same bits. This is the one public header that knows of vector
-// extensions. GRAZE_PLAIN_LANES takes the struct with every compiler: in all files of a program, or in none.
+// Guarantee: g++ and clang compute with their vector extensions; for other compilers the vector is a struct with the
+// operations written out, which give the same bits. No other public header uses vector extensions. GRAZE_PLAIN_LANES
+// selects the struct with every compiler: in all files of a program, or in none.
 #pragma once
 
 #include <cstddef>
@@ -22,17 +22,17 @@ struct LaneVectorOf {
 template <class T, int N>
 using LaneVector = typename LaneVectorOf<T, N>::type;
 
-/// The bits of a vector as one of another type.
+/// The bits of a vector as a vector of another type.
 template <class To, class From>
 [[gnu::always_inline]] inline To bits_as(const From& v) {
   return reinterpret_cast<To>(v);
 }
-/// Lane by lane one of the two.
+/// Lane by lane, `yes` where the condition holds, else `no`.
 template <class Whole, class V>
 [[gnu::always_inline]] inline V either_of(const Whole& condition, const V& yes, const V& no) {
   return condition ? yes : no;
 }
-/// As many lanes as there are `I`, from `first` on.
+/// As many lanes as there are indices `I`, from `first` on.
 template <std::size_t first, class V, std::size_t... I>
 [[gnu::always_inline]] inline auto lanes_from(const V& v, std::index_sequence<I...>) {
   return __builtin_shufflevector(v, v, (first + I)...);
@@ -43,7 +43,7 @@ template <std::size_t first, class V, std::size_t... I>
 template <class T, int N>
 struct alignas(N * sizeof(T)) LaneVector {
   using Lane = T;
-  /// What comparisons give: all bits of a lane, or none.
+  /// Result of comparisons: all bits of a lane, or none.
   using Truth = LaneVector<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, N>;
 
   T lane[N];
@@ -105,7 +105,7 @@ struct alignas(N * sizeof(T)) LaneVector {
   }
 };
 
-/// The same bits as another type.
+/// The bits of a vector as a vector of another type.
 template <class To, class From>
 inline To bits_as(const From& v) {
   static_assert(sizeof(To) == sizeof(From));
@@ -118,7 +118,7 @@ template <class Whole, class V>
 inline V either_of(const Whole& condition, const V& yes, const V& no) {
   return V::of([&](int i) { return condition[i] != 0 ? yes[i] : no[i]; });
 }
-/// The lanes one by one.
+/// As many lanes as there are indices `I`, from `first` on.
 template <std::size_t first, class V, std::size_t... I>
 inline auto lanes_from(const V& v, std::index_sequence<I...>) {
   return LaneVector<typename V::Lane, static_cast<int>(sizeof...(I))>{{v.lane[first + I]...}};

@@ -1,6 +1,6 @@
-// Rays, segments and planes: the plain data of the small exact questions (`geometry.hpp`) and of ray casts.
+// Rays, segments and planes: the plain data of the elementary queries (`geometry.hpp`) and of ray casts.
 //
-// Guarantee: plain aggregates without invariants; the questions that take them say what they need of them.
+// Guarantee: plain aggregates without invariants; the functions that take them state their requirements.
 #pragma once
 
 #include "graze/vec3.hpp"
@@ -10,7 +10,7 @@ namespace graze {
 /// The points origin + t direction with t >= 0.
 template <class T>
 struct Ray {
-  Vec3<T> origin{}, direction{};  ///< where it begins, and where to
+  Vec3<T> origin{}, direction{};  ///< starting point, and direction of any length
 };
 
 /// The straight piece between two points, both included; a point when they are equal.
@@ -22,11 +22,11 @@ struct Segment {
 /// The points p with dot(normal, p) = offset; `normal` is of unit length and points out of the solid side.
 template <class T>
 struct Plane {
-  Vec3<T> normal{T(0), T(1), T(0)};  ///< unit; towards what lies outside
-  T offset{};                        ///< the normal times any point of the plane
+  Vec3<T> normal{T(0), T(1), T(0)};  ///< unit length, pointing away from the solid side
+  T offset{};                        ///< dot(normal, p) of every point p of the plane
 };
 
-/// How far `p` lies before the plane; negative behind it.
+/// The distance of `p` in front of the plane; negative behind it.
 template <class T>
 constexpr T signed_distance(const Plane<T>& plane, const Vec3<T>& p) {
   return dot(plane.normal, p) - plane.offset;

@@ -1,8 +1,8 @@
-// How hard a body is to move and to turn: its mass and inertia, inverted and turned into world space.
+// Inverse mass and inertia in world space, the resistance of a body to impulses.
 //
-// Guarantee: `InverseMass` is a plain value. An immovable body is one whose inverses are zero, so that no formula needs
-// a case of its own for it. The functions that make one throw `InvalidValue` for what is neither a mass nor an inertia,
-// naming it, and otherwise neither under- nor overflow where the result is a finite number.
+// Guarantee: `InverseMass` is a plain value. An immovable body has inverses of zero, so that no formula needs a case of
+// its own for it. The functions that make one throw `InvalidValue` for a value that is no mass or inertia, naming it,
+// and otherwise neither under- nor overflow where the result is a finite number.
 #pragma once
 
 #include "graze/shape.hpp"
@@ -12,10 +12,10 @@ namespace graze {
 /// The inverse of a body's mass and of its inertia about the centre of mass, in world space. By default immovable.
 template <class T>
 struct InverseMass {
-  T mass{};           ///< the mass
-  Mat3<T> inertia{};  ///< about the centre of mass
+  T mass{};           ///< one over the mass
+  Mat3<T> inertia{};  ///< inverse of the inertia tensor about the centre of mass
 
-  /// Whether a blow moves it.
+  /// Whether an impulse changes the body's motion.
   bool movable() const { return mass > T(0); }
 };
 
@@ -29,7 +29,7 @@ GRAZE_API InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat
 template <class T>
 GRAZE_API InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotation = {});
 
-/// The inertia of `shape` about its own centre of mass, in its own frame, when it has `mass` spread evenly. Throws
+/// The inertia tensor of `shape` about its own centre of mass, in its own frame, with `mass` spread evenly. Throws
 /// `InvalidValue` for a shape without volume: a surface, a flat one, or a half-space.
 template <class T>
 GRAZE_API Mat3<T> inertia_of(const Shape<T>& shape, T mass);

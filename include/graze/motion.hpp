@@ -1,4 +1,4 @@
-// Bodies on their way: how they move, what counts as contact on the way, and what a cast finds (`cast.hpp` asks).
+// Moving bodies: their velocities, the tolerance of contact during motion, and the hits of casts (`cast.hpp`).
 //
 // Guarantee: plain aggregates without invariants.
 #pragma once
@@ -9,16 +9,16 @@
 
 namespace graze {
 
-/// How near, relative to the smaller shape, counts as contact of moving shapes. Ten times the tolerance of a distance:
-/// the normal is the direction of what is left of the gap, and loses as many digits as that has zeros. `float`'s is
+/// The gap, relative to the smaller shape, that counts as contact of moving shapes. Ten times the tolerance of a
+/// distance: the normal is the direction of the remaining gap, and loses as many digits as that has zeros. `float`'s is
 /// some ten roundings of the support points of a user's shape, and no more than rounding the time to float costs.
 template <class T>
 inline constexpr T cast_tolerance = T(1e-9);
-/// That of single precision.
+/// The gap of contact in single precision.
 template <>
 inline constexpr float cast_tolerance<float> = 2e-6f;
 
-/// How a body moves: at constant speed along a line, turning about its origin (its pose's translation) at constant
+/// The motion of a body: constant linear velocity, and rotation about its origin (its pose's translation) at a constant
 /// rate.
 template <class T>
 struct Velocity {
@@ -26,42 +26,42 @@ struct Velocity {
   Vec3<T> angular{};  ///< in world axes, right-handed; its length is the rate in radians per unit of time
 };
 
-/// When two shapes that move first touch, and where.
+/// The first contact of two moving shapes.
 template <class T>
 struct CastHit {
-  T t{};             ///< when, from 0 to the duration
-  Vec3<T> point{};   ///< in the world at time t, in the middle of what is left of the gap
+  T t{};             ///< time of the contact, from 0 to the duration
+  Vec3<T> point{};   ///< in the world at time t, in the middle of the remaining gap
   Vec3<T> normal{};  ///< unit, from A to B, in the world at time t
-  T depth{};         ///< of shapes that overlap at the start: how deep, as `distance` says; else 0 (or up to D)
+  T depth{};         ///< depth at the start, as `distance` gives it, of shapes that overlap there; else 0 (or up to D)
   /// `bounded` when the bound on iterations was reached first: t is then the earliest time that is not excluded, and
-  /// whether the shapes touch at all is not known. Bodies that turn a thousand times a hair's breadth apart do that, as
-  /// does a half-space that turns, and in `float` one cast in some 50,000 of a user's shape.
-  /// `unbounded` of two half-spaces that are not opposite: they overlap from the start, by an infinite depth.
+  /// whether the shapes touch at all is not known. Bodies that turn a thousand times a hair's breadth apart reach it,
+  /// as does a half-space that turns, and in `float` one cast in some 50,000 of a user's shape.
+  /// `unbounded` for two half-spaces that are not opposite: they overlap from the start, by an infinite depth.
   Status status = Status::converged;
-  std::uint32_t piece_a = 0, piece_b = 0;  ///< which child or triangle of a composite it is, else 0
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< the child or triangle of a composite that is hit, else 0
 };
 
-/// What becomes of shapes that touch or overlap and do not approach.
+/// Treatment of shapes that touch or overlap at the start and do not approach.
 enum class Separating : std::uint8_t {
-  hit,  ///< they touch: a hit, whatever they do next
-  /// Not a hit, so that a body can leave what it touches and slide along it, over the seams of a mesh too. Shapes
-  /// slide as long as some plane keeps them apart but for what they were in each other at the start and `sinking`
-  /// more; any other contact is a hit, from the time on at which the shapes press: they approach, and get deeper.
-  /// Nothing passes through anything by sliding: what a pair may sink is at most an eighth of what both measure across
-  /// the plane, however thin they are.
+  hit,  ///< a hit, whatever the shapes do next
+  /// Not a hit, so that a body can leave what it touches and slide along it, over the seams of a mesh too. Shapes slide
+  /// as long as some plane separates them except for their overlap at the start and `sinking` more; any other contact
+  /// is a hit, from the time on at which the shapes press: they approach, and get deeper. Nothing passes through
+  /// anything by sliding: a pair may sink by at most an eighth of what both measure across the plane, however thin they
+  /// are.
   ignored
 };
 
-/// How much deeper shapes in contact may get that are said to slide, in `cast_tolerance<T>` times the size of the
-/// smaller of the two that meet: what rounding of poses and velocities does along a way of many sizes. To that comes
-/// what rounding of their coordinates does, up to a sixteenth of the size. For shapes that start deep in each other
-/// and turn it is an eighth of their depth, if that is more. The last contact of a cast, with no time left to get as
-/// deep, counts from D on.
+/// The additional depth that shapes in contact may reach while they count as sliding, in `cast_tolerance<T>` times the
+/// size of the smaller of the two that meet: the effect of rounding of poses and velocities along a way of many sizes.
+/// Rounding of their coordinates adds up to a sixteenth of the size. For shapes that start deep in each other and turn
+/// it is an eighth of their depth, if that is more. The last contact of a cast, with no time left to get as deep,
+/// counts from D on.
 inline constexpr int sinking = 1000;
 
-/// What a cast may be told.
+/// Options of a cast.
 struct CastOptions {
-  Separating separating = Separating::hit;  ///< what it says of shapes that touch at first and come apart
+  Separating separating = Separating::hit;  ///< treatment of shapes that touch at first and come apart
 };
 
 }  // namespace graze

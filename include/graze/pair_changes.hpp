@@ -1,10 +1,9 @@
-// Which pairs of boxes began and which ended to overlap, for callers who keep what they made of a pair from frame to
-// frame.
+// Changes of overlapping pairs from call to call, for callers who keep data for a pair from frame to frame.
 //
-// Guarantee: applied one after the other, the changes give the pairs of `BroadPhase::pairs`: what began was not there
-// at the last call, what ended was. Sorted, the smaller id first; a function of the boxes and ids alone, whichever
-// broad phase finds them. What did not move costs nothing but memory: a call costs the search for the pairs of what was
-// inserted, moved or removed, and a look at each such pair of now and then.
+// Guarantee: applied one after the other, the changes give the pairs of `BroadPhase::pairs`: a begun pair was absent at
+// the last call, an ended one present. Sorted, the smaller id first; a function of the boxes and ids alone, whichever
+// broad phase finds them. Boxes at rest cost nothing but memory: a call costs the search for the pairs of inserted,
+// moved and removed boxes, and a look at each such pair of the last call and of this one.
 #pragma once
 
 #include <memory>
@@ -15,24 +14,26 @@
 
 namespace graze {
 
-/// A broad phase that tells what has changed. It keeps the pairs that it told.
+/// A broad phase that reports changes of its pairs. Keeps the pairs of the last call.
 template <class T>
 class GRAZE_API PairChanges {
  public:
-  /// Above a broad phase without boxes, which nobody else changes.
+  /// Takes over a broad phase without boxes, which nobody else may change.
   explicit PairChanges(std::unique_ptr<BroadPhase<T>> boxes = make_dynamic_tree<T>()) : boxes_(std::move(boxes)) {}
 
-  /// As those of `BroadPhase`. An id that is removed may be inserted anew before the next call.
+  /// Adds a box, as `BroadPhase::insert` does. The id of a removed box may be inserted anew before the next call of
+  /// `find`.
   void insert(std::uint32_t id, const Aabb<T>& box);
-  void remove(std::uint32_t id);                    ///< its pairs end
-  void move(std::uint32_t id, const Aabb<T>& box);  ///< the box of `id` from now on
+  void remove(std::uint32_t id);                    ///< removes a box, whose pairs end
+  void move(std::uint32_t id, const Aabb<T>& box);  ///< replaces the box of `id`
 
-  /// The pairs that overlap and did not at the last call, and those that did and do not any more.
+  /// Sets `begun` to the pairs that overlap and did not at the last call, and `ended` to those that did and do not any
+  /// more.
   void find(std::vector<IdPair>& begun, std::vector<IdPair>& ended);
 
-  /// For everything that is asked.
+  /// The broad phase, for its queries.
   const BroadPhase<T>& boxes() const { return *boxes_; }
-  /// Bytes that are held, with those of the broad phase; lists of more than eight partners of a box are left out.
+  /// Bytes that are held, the broad phase included; lists of more than eight partners of a box are left out.
   std::size_t memory() const;
 
  private:
@@ -43,10 +44,10 @@ class GRAZE_API PairChanges {
   void compare(std::uint32_t id, std::vector<IdPair>& begun, std::vector<IdPair>& ended);
 
   std::unique_ptr<BroadPhase<T>> boxes_;
-  std::vector<Ids> told_;               ///< by id, those that overlapped it at the last call, in ascending order
-  std::vector<Ids> now_;                ///< the same now, of what was touched
-  std::vector<std::uint32_t> touched_;  ///< what was inserted, moved or removed since
-  std::vector<char> is_touched_;        ///< by id
+  std::vector<Ids> told_;               ///< by id: the ids that overlapped it at the last call, in ascending order
+  std::vector<Ids> now_;                ///< by id of a touched box: the ids that overlap it now
+  std::vector<std::uint32_t> touched_;  ///< boxes that were inserted, moved or removed since the last call
+  std::vector<char> is_touched_;        ///< by id, whether it is in `touched_`
   std::vector<IdPair> found_;
 };
 

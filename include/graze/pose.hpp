@@ -1,7 +1,7 @@
-// Rigid placements: where a body stands and how it is turned.
+// Poses: rigid transforms from a body's frame to the world.
 //
-// Guarantee: as `vec3.hpp`. A relative pose is made from the *difference* of two translations, so it does not lose
-// digits when both bodies are far from the origin.
+// Guarantee: exact operations as in `vec3.hpp`. A relative pose is made from the *difference* of two translations, so
+// it does not lose digits when both bodies are far from the origin.
 #pragma once
 
 #include "graze/quat.hpp"
@@ -11,8 +11,8 @@ namespace graze {
 /// A rigid motion from a body's frame to the world: p -> translation + rotation p.
 template <class T>
 struct Pose {
-  Vec3<T> translation{};  ///< where the origin of the frame stands
-  Quat<T> rotation{};     ///< of unit length
+  Vec3<T> translation{};  ///< origin of the frame, in the world
+  Quat<T> rotation{};     ///< orientation, of unit length
 
   friend constexpr bool operator==(const Pose&, const Pose&) = default;
 };
@@ -20,12 +20,12 @@ struct Pose {
 using Posef = Pose<float>;
 using Posed = Pose<double>;
 
-/// From the frame into the world.
+/// A point of the frame, in world coordinates.
 template <class T>
 constexpr Vec3<T> transform(const Pose<T>& pose, const Vec3<T>& point) {
   return pose.translation + rotate(pose.rotation, point);
 }
-/// From the world into the frame.
+/// A point of the world, in coordinates of the frame.
 template <class T>
 constexpr Vec3<T> inverse_transform(const Pose<T>& pose, const Vec3<T>& point) {
   return rotate(conjugate(pose.rotation), point - pose.translation);
@@ -35,13 +35,13 @@ template <class T>
 constexpr Pose<T> compose(const Pose<T>& a, const Pose<T>& b) {
   return {transform(a, b.translation), a.rotation * b.rotation};
 }
-/// What undoes it.
+/// The inverse motion.
 template <class T>
 constexpr Pose<T> inverse(const Pose<T>& pose) {
   const Quat<T> q = conjugate(pose.rotation);
   return {rotate(q, -pose.translation), q};
 }
-/// `b` seen from `a`.
+/// The pose `b` in the frame of `a`.
 template <class T>
 constexpr Pose<T> relative(const Pose<T>& a, const Pose<T>& b) {
   return {inverse_transform(a, b.translation), conjugate(a.rotation) * b.rotation};

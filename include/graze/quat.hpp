@@ -1,6 +1,6 @@
 // Unit quaternions: rotations of space.
 //
-// Guarantee: as `vec3.hpp`, but for `from_axis_angle`, which needs a sine and so is for set-up and not for kernels.
+// Guarantee: as `vec3.hpp`, except `from_axis_angle`, which calls the C library's sine and is meant for set-up only.
 #pragma once
 
 #include "graze/mat3.hpp"
@@ -12,7 +12,7 @@ template <class T>
 struct Quat {
   T x{}, y{}, z{}, w{T(1)};  ///< x i + y j + z k + w.
 
-  /// The part without w.
+  /// The vector part (x, y, z).
   constexpr Vec3<T> vector() const { return {x, y, z}; }
 
   /// The rotation by `angle` radians about the unit vector `axis`, right-handed.
@@ -27,7 +27,7 @@ struct Quat {
     const Vec3<T> v = b.vector() * a.w + a.vector() * b.w + cross(a.vector(), b.vector());
     return {v.x, v.y, v.z, a.w * b.w - dot(a.vector(), b.vector())};
   }
-  /// Number by number.
+  /// Equality of all four components.
   friend constexpr bool operator==(const Quat& a, const Quat& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
   }

@@ -1,4 +1,4 @@
-// What questions are answered with: a signed distance, a nearest point, the hit of a ray, and how sure each is.
+// Results of queries: signed distances, nearest points and hits of rays, each with its status.
 //
 // Guarantee: plain aggregates without invariants. Normals are unit vectors that point from A to B; distances are
 // signed: positive between separated shapes, negative when they overlap, and then minus the length of the shortest
@@ -11,14 +11,14 @@
 
 namespace graze {
 
-/// How far an answer may be from the truth, relative to the size of the pair. Half of `float`'s is rounding of poses.
+/// Largest error of an answer, relative to the size of the pair. Half of `float`'s is rounding of poses.
 template <class T>
 inline constexpr T tolerance = T(1e-10);
-/// That of single precision.
+/// Largest relative error in single precision.
 template <>
 inline constexpr float tolerance<float> = 1e-5f;
 
-/// How sure an answer is.
+/// Certainty of an answer.
 enum class Status : std::uint8_t {
   converged,  ///< right within the tolerance
   bounded,    ///< the iteration bound was reached first: right within `error`
@@ -35,7 +35,7 @@ struct Distance {
   T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
 };
 
-/// A convex piece of A and one of B, and how far apart they are.
+/// A convex piece of A and one of B, and their distance.
 template <class T>
 struct PieceDistance {
   std::uint32_t piece_a = 0, piece_b = 0;  ///< the triangle of a mesh or the child of the outermost compound, else 0
@@ -47,26 +47,26 @@ template <class T>
 struct Closest {
   T distance{};      ///< signed: negative inside a solid
   Vec3<T> point{};   ///< on the surface
-  Vec3<T> normal{};  ///< unit, outward: question - point = distance * normal
+  Vec3<T> normal{};  ///< unit, outward: the queried point - point = distance * normal
   Status status = Status::converged;
   T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
 };
 
-/// Where a ray meets a shape, in world space.
+/// The hit of a ray with a shape, in world space.
 template <class T>
 struct RayHit {
-  T t{};            ///< how far along the ray, in units of length (not in multiples of its direction)
+  T t{};            ///< distance along the ray, in units of length (not in multiples of its direction)
   Vec3<T> point{};  ///< on the surface; the ray's origin when that lies inside a solid
   /// Unit, against the ray (by rounding across it); minus the ray's direction when its origin lies inside a solid.
   Vec3<T> normal{};
-  std::uint32_t piece = 0;  ///< the triangle of a mesh or the child of a compound (of the outermost one), else 0
+  std::uint32_t piece = 0;  ///< the triangle of a mesh or the child of the outermost compound, else 0
 };
 
-/// What a ray meets that comes upon a triangle, alone or of a mesh, from behind: from where its vertices run clockwise.
-/// Triangles with a margin are solids and have no back.
+/// Treatment of rays that meet a triangle, alone or of a mesh, from behind: from the side on which its vertices run
+/// clockwise. Triangles with a margin are solids and have no back.
 enum class BackFaces : std::uint8_t {
-  hit,     ///< the triangle, as from the front, with the normal turned against the ray
-  ignored  ///< nothing
+  hit,     ///< hit as from the front, with the normal turned against the ray
+  ignored  ///< not hit
 };
 
 }  // namespace graze

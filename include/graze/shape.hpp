@@ -1,8 +1,8 @@
-// A shape: one value that is any of the shapes there are, with its rounding radius.
+// Shapes: one value type for all kinds, with a rounding radius.
 //
 // Guarantee: a value, immutable once built, cheap to copy (big shapes share their data), safe to read from any thread.
-// `ShapeList` is the one list of shapes: a shape that stands in it takes part in every query, and one without a
-// support function or a place in the table of pairs does not compile.
+// `ShapeList` is the one list of shapes: a shape listed there takes part in every query, and one without a support
+// function or an entry in the table of pairs does not compile.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@
 
 namespace graze {
 
-/// All shapes. The order is the order of pairs: a pair is computed with the shape that stands first here as A.
+/// All kinds of shapes. The order decides which shape of a pair is A: the one that stands first here.
 template <class T>
 using ShapeList =
     std::variant<Sphere<T>, Capsule<T>, Box<T>, Rectangle<T>, Cylinder<T>, Ellipsoid<T>, LineSegment<T>, Triangle<T>,
@@ -38,11 +38,11 @@ concept BoundedConvex = requires(const C& c) {
   c.core_support(Vec3<double>{});
 };
 
-/// Any shape, with its rounding: a value.
+/// A shape of any kind, with its rounding: a value.
 template <class T>
 class Shape {
  public:
-  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< how many kinds there are
+  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< number of kinds
 
   /// `concrete`, rounded by `rounding`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a
   /// rounding that is negative, larger than `largest_magnitude`, or given to a composite.
@@ -54,15 +54,15 @@ class Shape {
         validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
   }
 
-  /// The radius of the ball that is added to it.
+  /// The rounding radius: that of the ball in the Minkowski sum.
   T rounding() const { return rounding_; }
-  /// The shape's place in `ShapeList`.
+  /// The kind of the shape: its index in `ShapeList`.
   std::size_t index() const { return list_.index(); }
-  /// What the kind is called in files and messages.
+  /// The name of the kind in files and messages.
   const char* name() const {
     return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
   }
-  /// Whether it is one convex piece.
+  /// Whether the shape is one convex piece.
   bool convex() const {
     return visit([](const auto& c) {
       using C = std::decay_t<decltype(c)>;
@@ -70,13 +70,13 @@ class Shape {
     });
   }
 
-  /// The concrete shape, or null when it is another.
+  /// The shape as `C`, or null when it is of another kind.
   template <class C>
   const C* as() const {
     return std::get_if<C>(&list_);
   }
 
-  /// Calls `f` with the concrete shape.
+  /// Calls `f` with the shape as an object of the class of its kind.
   template <class F>
   decltype(auto) visit(F&& f) const {
     return visit_from<0>(std::forward<F>(f));
@@ -100,7 +100,7 @@ class Shape {
 
 namespace detail {
 
-/// The place of a kind in `ShapeList`.
+/// The index of a kind in `ShapeList`.
 template <class C, class T>
 constexpr std::size_t kind_of() {
   return []<std::size_t... I>(std::index_sequence<I...>) {
@@ -116,18 +116,18 @@ constexpr std::size_t kind_of() {
 using Shapef = Shape<float>;
 using Shaped = Shape<double>;
 
-/// A shape and where it stands.
+/// A shape in place.
 template <class T>
 struct Placed {
-  Shape<T> shape;  ///< the shape; of a reference, one that outlives it
-  Pose<T> pose{};  ///< where it stands
+  Shape<T> shape;  ///< the shape
+  Pose<T> pose{};  ///< pose of the shape's frame
 };
 
-/// The same of somebody else's.
+/// A shape in place, by reference.
 template <class T>
 struct PlacedRef {
-  const Shape<T>* shape;  ///< the shape, which outlives the reference
-  const Pose<T>* pose;    ///< where it stands
+  const Shape<T>* shape;  ///< the shape, which must outlive the reference
+  const Pose<T>* pose;    ///< its pose, which must outlive the reference
 };
 
 /// The bounds of a shape under a pose, rounding included; not less than the true ones.
@@ -141,14 +141,14 @@ GRAZE_API Vec3<T> support(const Shape<T>& shape, const Vec3<T>& direction);
 /// Volume, centre of mass and inertia of a body of density one.
 template <class T>
 struct MassProperties {
-  T volume{};         ///< of what has an inside
-  Vec3<T> center{};   ///< of mass, in the shape's frame
-  Mat3<T> inertia{};  ///< about `center`, in the shape's frame
+  T volume{};         ///< volume of the solid
+  Vec3<T> center{};   ///< centre of mass, in the shape's frame
+  Mat3<T> inertia{};  ///< inertia tensor about `center`, in the shape's frame
 };
 
 /// The mass properties of a solid, rounding included. Surfaces (height fields and open meshes too) and half-spaces have
-/// none: volume 0 and all else zero;
-/// a closed mesh has those of the solid it bounds; a compound the sum of its children's.
+/// none: volume 0 and all else zero. A closed mesh has those of the solid it bounds, a compound the sum of its
+/// children's.
 template <class T>
 GRAZE_API MassProperties<T> mass_properties(const Shape<T>& shape);
 

@@ -3,12 +3,13 @@
 //
 // Guarantee: a step is a function of the calls made so far alone: the same bits for any executor, and after `restore`.
 // No length, speed or time is built in: sizes times four and steps times two give the same bits but for exponents. Free
-// bodies fall exactly up to rounding and keep their angular momentum bit for bit. What throws has changed nothing.
+// bodies fall exactly up to rounding and keep their angular momentum bit for bit. A call that throws has changed
+// nothing.
 //
-// The method is that of soft contacts in sub-steps, each with a pass that takes the push out again ("soft step", Catto
-// 2024, "Solver2D"), warm started by the feature of each contact. The number of sub-steps grows, island by island,
-// where a contact would sink visibly under the load that it bore in the last step. Restitution is passed on through
-// touching bodies by Newton's law (`blows.hpp`).
+// Method: soft contacts in sub-steps, each with a relaxing pass that takes the push out again ("soft step", Catto 2024,
+// "Solver2D"), warm started by the feature of each contact. The number of sub-steps grows, island by island, where a
+// contact would sink visibly under the load that it bore in the last step. Restitution is propagated through touching
+// bodies by Newton's law (`blows.hpp`).
 #pragma once
 
 #include <memory>
@@ -22,41 +23,42 @@
 
 namespace graze {
 
-/// What a simulation may be told at its beginning.
+/// Settings of a simulation.
 template <class T, class Space = graze::Space<T>>
 struct SimulationSettings {
   typename Space::Vec gravity{T(0), T(-9.81)};  ///< an acceleration
-  int sub_steps = 4;                            ///< of a step, at least; a power of two
-  int most_sub_steps = 16;                      ///< of an island that bears much; a power of two
+  int sub_steps = 4;                            ///< least number of sub-steps of a step; a power of two
+  int most_sub_steps = 16;                      ///< largest number of sub-steps, for an island under load; a power of
+                                                ///< two
   bool sleep = true;                            ///< islands at rest cost nothing and do not move
-  bool continuous = true;                       ///< what moves fast passes through nothing
-  T longest_step = T(1);                        ///< a longer step is refused
+  bool continuous = true;                       ///< fast bodies do not pass through others
+  T longest_step = T(1);                        ///< longer steps are refused
 };
 
-/// What a step did. Lengths, masses and times in the caller's units; times by the clock in milliseconds.
+/// Statistics of a step. Lengths, masses and times in the caller's units; durations by the clock in milliseconds.
 template <class T, class Space = graze::Space<T>>
 struct StepReport {
-  std::size_t awake = 0;     ///< bodies that move by mass and are not asleep
-  std::size_t islands = 0;   ///< of awake bodies
+  std::size_t awake = 0;     ///< bodies moved by their mass that are not asleep
+  std::size_t islands = 0;   ///< islands of awake bodies
   std::size_t contacts = 0;  ///< points that were solved
-  std::size_t colors = 0;    ///< of the largest island
-  int most_sub_steps = 0;    ///< that any island took
+  std::size_t colors = 0;    ///< colours of the largest island's graph of contacts
+  int most_sub_steps = 0;    ///< largest number of sub-steps of any island
   std::size_t stopped = 0;   ///< bodies that continuous collision held back
   T deepest{};               ///< penetration of any contact at the beginning of the step; 0 without
-  T mean_depth{};            ///< of the points that penetrate
+  T mean_depth{};            ///< mean depth of the penetrating points
   T residual{};              ///< fastest approach of touching points that the solver left
-  // Of the bodies with mass as they are now, asleep or not.
-  T kinetic_energy{}, potential_energy{};      ///< the latter from the origin up
-  typename Space::Vec momentum{};              ///< of all of them together
-  typename Space::Turning angular_momentum{};  ///< about the origin
-  /// By the clock: finding contacts, preparing, solving, what moves fast, and all of it.
+  // Sums over the bodies with mass as they are now, asleep or not.
+  T kinetic_energy{}, potential_energy{};      ///< potential energy counts from the origin up
+  typename Space::Vec momentum{};              ///< linear momentum
+  typename Space::Turning angular_momentum{};  ///< angular momentum about the origin
+  /// Durations by the clock: finding contacts, preparing, solving, continuous collision, and the whole step.
   double collide_ms{}, prepare_ms{}, solve_ms{}, continuous_ms{}, whole_ms{};
 };
 
 template <class T, class Space>
 struct SimulationParts;
 
-/// Everything that `restore` brings back: a value that may be kept, copied and thrown away.
+/// A saved state, for `restore`: a value that may be kept, copied and thrown away.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API State {
  public:
@@ -87,68 +89,70 @@ class GRAZE_API Simulation {
 
  public:
   /// Throws `InvalidValue` for a gravity that is not finite or too large, sub-steps that are no powers of two from 1 to
-  /// 1024, the most fewer than the least, and a longest step that is not > 0.
+  /// 1024, fewer `most_sub_steps` than `sub_steps`, and a longest step that is not > 0.
   explicit Simulation(const SimulationSettings<T, Space>& settings = {}, Executor* executor = nullptr);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// The velocity of the body is that of its pose's origin. Throws `InvalidValue` for what `World::add` refuses, and
-  /// for masses and materials that are none. The shape of a body with mass has to be bounded.
+  /// Adds a body, whose velocity is that of its pose's origin. Throws `InvalidValue` for what `World::add` refuses, and
+  /// for invalid masses and materials. The shape of a body with mass has to be bounded.
   BodyId add(Body<T, Space> body, const Dynamics& dynamics = {}, const Material& material = {});
-  /// Throws `InvalidValue` for bodies that are gone or the same, frames that are not finite, limits and drives that are
-  /// none.
+  /// Adds a joint. Throws `InvalidValue` for bodies that are gone or the same, frames that are not finite, and invalid
+  /// limits and drives.
   JointId add(const Joint<T, Space>& joint);
-  /// What stood on the body or was joined to it wakes; joints of the body go with it.
+  /// Removes a body and its joints. Bodies that stood on it or were joined to it wake.
   void remove(BodyId id);
-  void remove(JointId id);  ///< the bodies that it joined wake
+  void remove(JointId id);  ///< removes a joint; its bodies wake
 
-  /// Moves everything by `dt` > 0. Throws `InvalidValue` for a step that is not finite, not > 0, or longer than
+  /// Advances the simulation by `dt` > 0. Throws `InvalidValue` for a step that is not finite, not > 0, or longer than
   /// `settings.longest_step`.
   void step(T dt);
 
-  /// An impulse at a point of the world, at once. None of these moves what is fixed or kinematic; all wake.
+  /// Applies an impulse at a point of the world, at once. Impulses, forces and torques do not move fixed or kinematic
+  /// bodies; all of them wake the body.
   void apply_impulse(BodyId id, const Vec& impulse, const Vec& point);
-  void apply_angular_impulse(BodyId id, const Turning& impulse);  ///< A turning blow, at once.
-  /// A force on the centre of mass, and a torque, throughout the next step.
+  void apply_angular_impulse(BodyId id, const Turning& impulse);  ///< Applies an angular impulse, at once.
+  /// Applies a force to the centre of mass throughout the next step.
   void apply_force(BodyId id, const Vec& force);
-  void apply_torque(BodyId id, const Turning& torque);  ///< A torque throughout the next step.
-  /// Of the pose's origin, and the turning about it.
+  void apply_torque(BodyId id, const Turning& torque);  ///< Applies a torque throughout the next step.
+  /// Sets the velocity of the pose's origin, and the rotation about it.
   void set_velocity(BodyId id, const Velocity& velocity);
   /// Puts a body elsewhere at once; its velocity stays.
   void set_pose(BodyId id, const Pose& pose);
   /// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
   void move_to(BodyId id, const Pose& pose, T dt);
-  void set_material(BodyId id, const Material& material);  ///< its material from now on
+  void set_material(BodyId id, const Material& material);  ///< replaces the material from now on
   void wake(BodyId id);                                    ///< wakes the body and what touches it
 
-  /// Of all bodies, by index; what is said in `World::bodies` of indices that are not alive.
+  /// The poses of all bodies, by index. Indices that are not alive are as in `World::bodies`.
   std::span<const Pose> poses() const;
-  /// Of the centre of mass.
+  /// The velocity of the centre of mass, and the rotation about it.
   Motion motion(BodyId id) const;
   Turning angular_momentum(BodyId id) const;       ///< about the centre of mass
-  T mass(BodyId id) const;                         ///< infinite for what is fixed or kinematic
+  T mass(BodyId id) const;                         ///< infinite for fixed and kinematic bodies
   bool asleep(BodyId id) const;                    ///< whether it is at rest and not moved until something wakes it
-  int sub_steps(BodyId id) const;                  ///< of its island in the last step; 0 before its first
-  std::vector<JointId> joints() const;             ///< all of them, by index
-  const Joint<T, Space>& joint(JointId id) const;  ///< as it was added
-  std::span<const T> joint_impulses(JointId id) const;  ///< of the last step, a number for each row of the joint
+  int sub_steps(BodyId id) const;                  ///< sub-steps of its island in the last step; 0 before its first
+  std::vector<JointId> joints() const;             ///< all joints, by index
+  const Joint<T, Space>& joint(JointId id) const;  ///< a joint as it was added
+  std::span<const T> joint_impulses(JointId id) const;  ///< impulses of the last step, a number for each row of the
+                                                        ///< joint
 
-  /// Contacts with the impulses of the last step, events, and all queries. Contacts are those that the last step began
-  /// with.
+  /// The world: contacts with the impulses of the last step, events, and all queries. Contacts are those at the
+  /// beginning of the last step.
   const World<T, Space>& world() const;
-  const SimulationSettings<T, Space>& settings() const;  ///< as they are now
-  void set_gravity(const Vec& gravity);                  ///< from the next step on
+  const SimulationSettings<T, Space>& settings() const;  ///< the settings as they are now
+  void set_gravity(const Vec& gravity);                  ///< sets the gravity from the next step on
 
-  StepReport<T, Space> report() const;  ///< what the last step did
-  /// A number for the bits of all that the next step follows from: poses, motions, rest, and the impulses of contacts
-  /// and joints. The same in runs that are the same, and after `restore`. Costs a pass over bodies and contacts.
+  StepReport<T, Space> report() const;  ///< statistics of the last step
+  /// A hash of all bits that the next step depends on: poses, motions, sleep, and the impulses of contacts and joints.
+  /// Equal runs have equal hashes, also after `restore`. Costs a pass over bodies and contacts.
   std::uint64_t state_hash() const;
 
   State<T, Space> save() const;  ///< all that `restore` needs
   /// Goes back to a state of this simulation. Throws `InvalidValue` where bodies or joints came or went in between.
-  /// Costs an update of the world. What touched is found anew, so that the events of the next step may begin what had
-  /// begun before where bodies are apart by less than their margin.
+  /// Costs an update of the world. Contacts are found anew, so that the events of the next step may begin a contact
+  /// that had begun before where bodies are apart by less than their margin.
   void restore(const State<T, Space>& state);
 
  private:

@@ -1,7 +1,7 @@
 // A vector that keeps its first elements in place.
 //
 // Guarantee: no allocation up to N elements; no limit beyond. Elements are trivially copyable; a new vector touches
-// none of the memory that it keeps for them, and a copy costs what the elements take that are there.
+// none of the memory kept for them, and a copy costs the elements that are there.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace graze {
 
-/// A list whose first N elements stand in place, and more of them on the heap.
+/// A list that stores its first N elements in place, and a longer list on the heap.
 template <class T, std::size_t N>
 class SmallVector {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
-  SmallVector() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
+  SmallVector() {}  // NOLINT(modernize-use-equals-default): a union would delete it
   /// As of `std::vector`.
   SmallVector(const SmallVector& other) { *this = other; }
   /// As of `std::vector`.
@@ -64,7 +64,7 @@ class SmallVector {
       push_outside(value);
     ++size_;
   }
-  /// One more element of no certain value, to be written.
+  /// Appends an element without initialising it.
   T& emplace_back() {
     if (size_ < N) [[likely]]
       return inside_[size_++];
@@ -78,9 +78,9 @@ class SmallVector {
   }
 
  private:
-  /// By itself, so that what is done nearly always is short enough to stand where it is called.
+  /// Out of line, so that the usual path is short enough to be inlined.
   [[gnu::noinline]] void push_outside(const T& value) {
-    const T kept = value;  // it may be one of these elements
+    const T kept = value;  // `value` may be one of these elements
     if (size_ == N) outside_.assign(inside_, inside_ + N);
     outside_.resize(size_);
     outside_.push_back(kept);

@@ -1,4 +1,4 @@
-// The C++ standard that Graze needs, asked for in one line before an older one fails in a thousand.
+// Check of the C++ standard that Graze needs: one line of error before an older one fails in a thousand.
 //
 // Guarantee: every public header includes this one, directly or through another. The compiled library and the code that
 // uses it have to agree on the standard library's containers, which cross the boundary between them: code compiled with
@@ -15,10 +15,10 @@
 #if defined(__GNUC__)
 namespace graze::detail {
 
-/// Of these two the library has the one of its own containers.
+/// The library defines the one of these two that fits its own containers.
 extern GRAZE_API const char library_without_glibcxx_debug, library_with_glibcxx_debug;
 
-/// Asks the linker for the library that this file's containers fit.
+/// A reference that only the library with this file's containers resolves: the linker refuses the other.
 #ifdef _GLIBCXX_DEBUG
 [[maybe_unused, gnu::used]] static const char* const fitting_library = &library_with_glibcxx_debug;
 #else

@@ -1,8 +1,8 @@
 // Tasks on the threads of oneTBB: `graze::tbb`, a library of its own, since the core needs none.
 //
-// Guarantee: each task runs exactly once, and `run` returns after all of them; it may be called from any threads at a
-// time and from within tasks, also of other executors. A thread that waits in it takes up nothing but tasks below that
-// very call, so no caller finds other work of its own begun in the middle of an update.
+// Guarantee: each task runs exactly once, and `run` returns after all of them; it may be called from any number of
+// threads at a time and from within tasks, also of other executors. A thread that waits in it takes up only tasks below
+// that very call, so that no caller finds other work of its own begun in the middle of an update.
 #pragma once
 
 #include <memory>
@@ -15,9 +15,9 @@ namespace graze {
 /// Runs tasks on the threads of oneTBB.
 class GRAZE_API TbbExecutor final : public Executor {
  public:
-  /// In the arena of whoever calls `run`, within the limits set there. With `threads`: on at most so many at a time,
-  /// callers among them, in an arena of its own; more than oneTBB may use at construction count as that many.
-  /// Throws `InvalidValue` for 0.
+  /// Runs tasks in the arena of the caller of `run`, within the limits set there. With `threads`: on at most so many at
+  /// a time, callers among them, in an arena of its own; a larger number than oneTBB may use at construction is lowered
+  /// to that. Throws `InvalidValue` for 0.
   explicit TbbExecutor(std::optional<std::size_t> threads = {});
   ~TbbExecutor() override;
   TbbExecutor(const TbbExecutor&) = delete;

@@ -1,8 +1,8 @@
-// Shapes as polygons, for pictures and for files that are looked at.
+// Tessellation: shapes as polygons, for pictures and for files that are looked at.
 //
-// Guarantee: any shape, of space or of the plane; points lie on its surface, those of the plane at z = 0. What is flat
-// is exact; what is curved is sampled finely enough for the eye and no finer. Costs memory and time for each point, and
-// allocates: nothing to be done pair by pair.
+// Guarantee: any shape, of space or of the plane; points lie on its surface, those of the plane at z = 0. Flat parts
+// are exact; curved ones are sampled finely enough for the eye and no finer. Costs memory and time for each point, and
+// allocates: not for use pair by pair.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,9 @@ namespace graze {
 struct Polygons {
   std::vector<Vec3d> points;                      ///< in world space
   std::vector<std::vector<std::uint32_t>> loops;  ///< counter-clockwise seen from outside, or from z > 0
-  bool smooth = false;                            ///< its edges are of the sampling, not of the shape
-  bool closed = true;                             ///< has an inside, so that faces seen from behind are hidden
+  bool smooth = false;                            ///< whether edges come from the sampling, not from the shape
+  bool closed = true;                             ///< whether there is an inside, so that faces seen from behind are
+                                                  ///< hidden
 };
 
 /// The faces of a shape; a half-space is a square whose sides are twice `half_space_size`, about the foot of `center`.

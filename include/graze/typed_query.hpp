@@ -1,12 +1,12 @@
-// The questions about two shapes whose kinds the compiler knows: overlap, distance and contacts of spheres, capsules,
-// boxes and triangles as they are, without a `Shape` about them.
+// Queries on two shapes whose kinds are known at compile time: overlap, distance and contacts of spheres, capsules,
+// boxes and triangles, without a `Shape` around them.
 //
 // Guarantee: to the last bit what `query.hpp` answers for `Shape<T>(a)` and `Shape<T>(b)`, in either order, since the
 // same routines answer. Nothing is allocated, dispatched at run time or thrown; safe from any thread. The limits of
 // `query.hpp` on poses and margins hold.
 //
-// Cost: what the routine of the pair takes. A tapered capsule, a box without thickness and cores that overlap where no
-// closed form tells the depth are asked about as shapes, at the cost of `query.hpp` and of the look before it.
+// Cost: that of the pair's routine. A tapered capsule, a box without thickness and cores that overlap without a closed
+// form for the depth are handed on as `Shape`s, at the cost of `query.hpp` and of the check before.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ namespace graze {
 
 namespace detail {
 
-/// In how many points two shapes may touch: a ball in one, a capsule in the ends of its side, boxes in the corners that
-/// one face cut by another has. 0 where the pair has no typed queries.
+/// Largest number of contact points of two kinds: one for a ball, two for a capsule (the ends of its segment), for
+/// boxes the corners of one face clipped by another. 0 where the pair has no typed queries.
 template <template <class> class A, template <class> class B>
 inline constexpr std::size_t most_points = 0;
 template <>
@@ -48,7 +48,7 @@ inline constexpr std::size_t most_points<Box, Box> = 8;
 
 }  // namespace detail
 
-/// The most points of contact of two kinds, in either order; 0 of kinds without typed queries.
+/// The most points of contact of two kinds, in either order; 0 for kinds without typed queries.
 template <template <class> class A, template <class> class B>
 inline constexpr std::size_t most_contacts =
     detail::most_points<A, B> > 0 ? detail::most_points<A, B> : detail::most_points<B, A>;
@@ -66,12 +66,13 @@ struct FixedManifold {
   FixedVector<ContactPoint<T>, N> points;  ///< where they touch
   bool overlap = false;                    ///< distance <= 0, whatever the margin
   Status status = Status::converged;       ///< `bounded` where the distance is not proven
-  T error{};                               ///< by how much distances of points may then be off
+  T error{};                               ///< bound on the error of the points' distances where `bounded`
 };
 
 namespace detail {
 
-/// By a class, since g++ 12 takes `most_contacts<A, B>` in two declarations of one function for two things.
+/// A class rather than a plain return type, since g++ 12 takes `most_contacts<A, B>` in two declarations of one
+/// function for two things.
 template <template <class> class A, template <class> class B, class T>
 struct FixedManifoldOf {
   using type = FixedManifold<T, most_contacts<A, B>>;
@@ -89,7 +90,7 @@ template <template <class> class A, template <class> class B, class T>
 requires TypedPair<A, B> GRAZE_API Distance<T> distance(const A<T>& a, const Pose<T>& pose_a, const B<T>& b,
                                                         const Pose<T>& pose_b);
 
-/// The points of contact up to `margin` >= 0 apart, in the world.
+/// The points of contact that are up to `margin` >= 0 apart, in the world.
 template <template <class> class A, template <class> class B, class T>
 requires TypedPair<A, B> GRAZE_API typename detail::FixedManifoldOf<A, B, T>::type
 contacts(const A<T>& a, const Pose<T>& pose_a, const B<T>& b, const Pose<T>& pose_b, T margin);

@@ -1,7 +1,7 @@
-// What the constructors of shapes demand of their numbers.
+// Validation of the numbers that constructors of shapes take.
 //
-// Guarantee: a value that passes is finite, of the stated sign and no larger than `largest_magnitude`; one that does
-// not raises `InvalidValue` naming it. Sizes and coordinates of shapes below `smallest_magnitude` become zero.
+// Guarantee: a value that passes is finite, of the stated sign and no larger than `largest_magnitude`; another one
+// raises `InvalidValue` naming it. Sizes and coordinates of shapes below `smallest_magnitude` become zero.
 #pragma once
 
 #include <cmath>
@@ -20,29 +20,30 @@ namespace graze {
 /// sqrt(3) M and its margin M; a compound is held to it), so the difference of two shapes reaches 20 M: 8 M each and
 /// the 2 sqrt(3) M between their origins.
 ///
-/// What is computed in double has six factors at most: GJK compares the sides of a tetrahedron's face by a product of
-/// two volumes, each up to 40 * 40 * 40 M^3. 4.1e9 M^6 stays below 1.8e308 up to M = 5.9e49.
+/// Computations in double have six factors at most: GJK compares the sides of a tetrahedron's face by a product of two
+/// volumes, each up to 40 * 40 * 40 M^3. 4.1e9 M^6 stays below 1.8e308 up to M = 5.9e49.
 template <class T>
 inline constexpr T largest_magnitude = T(1e48);
-/// What is computed in float has two factors: the squared length of a difference is up to 400 M^2, and nearest points
-/// of segments take the dot product of a vector of up to 16 * 20 M^2 with one of sqrt(3). 555 M^2 stays below 3.4e38 up
-/// to M = 7.8e17.
+/// Computations in float have two factors: the squared length of a difference is up to 400 M^2, and nearest points of
+/// segments take the dot product of a vector of up to 16 * 20 M^2 with one of sqrt(3). 555 M^2 stays below 3.4e38 up to
+/// M = 7.8e17.
 template <>
 inline constexpr float largest_magnitude<float> = 1e17f;
 
 /// The smallest length or coordinate of a shape that is not zero. Constructors take a smaller one as zero: a ball is
-/// then a point, a box a rectangle. A size of zero is answered for as any other, whereas a product of small lengths
-/// that underflows gives a wrong sign. A shape is therefore within sqrt(3) times this number of what was given, and
-/// answers are right to `tolerance` times the size or to a few times this number, whichever is larger. Shapes that are
-/// less than this number apart may be said to touch, by `overlap` where `distance` has the gap. Poses, points and what
-/// a user's support function returns are left as they are, but for one that reaches nowhere further than this: that is
-/// the origin.
+/// then a point, a box a rectangle. Sizes of zero are handled like any others, whereas a product of small lengths that
+/// underflows gives a wrong sign. A shape is therefore within sqrt(3) times this number of the given one, and answers
+/// are right to `tolerance` times the size or to a few times this number, whichever is larger. For shapes less than
+/// this number apart `overlap` may report a touch where `distance` has the gap. Poses, points and the results of a
+/// user's support function are left as they are, except for a function that reaches nowhere further than this: that one
+/// is the origin.
 ///
-/// With m for this number: what has six factors in double (see `largest_magnitude`) is down to m^6 = 1e-288, and its
-/// last digit, 1e-304, is still above the smallest normal number, 2.2e-308.
+/// With m for this number: products of six factors in double (see `largest_magnitude`) are down to m^6 = 1e-288, and
+/// their last digit, 1e-304, is still above the smallest normal number, 2.2e-308.
 template <class T>
 inline constexpr T smallest_magnitude = T(1e-48);
-/// What has two factors in float is down to m^2 = 1e-34, and its last digit, 6e-42, above the smallest number, 1.4e-45.
+/// Products of two factors in float are down to m^2 = 1e-34, and their last digit, 6e-42, above the smallest number,
+/// 1.4e-45.
 template <>
 inline constexpr float smallest_magnitude<float> = 1e-17f;
 
@@ -50,7 +51,7 @@ inline constexpr float smallest_magnitude<float> = 1e-17f;
 
 namespace graze::validate {
 
-/// How numbers are printed in errors: shortest form that reads back to the same value.
+/// A number as it is printed in errors: the shortest form that reads back to the same value.
 GRAZE_API std::string number(double value);
 
 /// Throws `InvalidValue`.
@@ -58,32 +59,32 @@ GRAZE_API std::string number(double value);
 /// Throws `InvalidValue`.
 [[noreturn]] GRAZE_API void fail(const std::string& path, const std::string& expectation, const std::string& found);
 
-/// What is expected of a coordinate that `value` is not, or null.
+/// The unmet expectation of a coordinate with this value, or null if it is valid.
 template <class T>
 const char* fault_of_coordinate(T value) {
   if (!std::isfinite(value)) return "a finite number";
   if (value >= -largest_magnitude<T> && value <= largest_magnitude<T>) return nullptr;
   return sizeof(T) == sizeof(float) ? "a magnitude of at most 1e17 (in float)" : "a magnitude of at most 1e48";
 }
-/// The same of a length.
+/// The unmet expectation of a length with this value, or null if it is valid.
 template <class T>
 const char* fault_of_length(T value) {
   return std::isfinite(value) && value >= T(0) ? fault_of_coordinate(value) : "a finite number >= 0";
 }
 
-/// A length from 0 to `largest_magnitude`, returned as it came.
+/// A length from 0 to `largest_magnitude`, returned unchanged. Throws `InvalidValue`.
 template <class T>
 T extent(T value, const char* path) {
   if (const char* expectation = fault_of_length(value)) fail(path, expectation, static_cast<double>(value));
   return value;
 }
 
-/// `value`, and zero (of the same sign) for what is smaller than `smallest_magnitude`. NaN stays NaN.
+/// `value`, or zero (of the same sign) if it is smaller than `smallest_magnitude`. NaN stays NaN.
 template <class T>
 T resolved(T value) {
   return std::abs(value) < smallest_magnitude<T> ? value * T(0) : value;
 }
-/// The same of each coordinate.
+/// A vector whose coordinates smaller than `smallest_magnitude` become zero.
 template <class T>
 Vec3<T> resolved(const Vec3<T>& v) {
   return {resolved(v.x), resolved(v.y), resolved(v.z)};
@@ -95,7 +96,7 @@ T size(T value, const char* path) {
   return resolved(extent(value, path));
 }
 
-/// A vector of lengths from 0 to `largest_magnitude`, returned as it came.
+/// A vector of lengths from 0 to `largest_magnitude`, returned unchanged. Throws `InvalidValue`.
 template <class T>
 Vec3<T> extents(const Vec3<T>& v, const std::string& path) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -104,7 +105,7 @@ Vec3<T> extents(const Vec3<T>& v, const std::string& path) {
   return v;
 }
 
-/// A point with coordinates up to `largest_magnitude`.
+/// A point with coordinates up to `largest_magnitude`, returned unchanged. Throws `InvalidValue`.
 template <class T>
 Vec3<T> point(const Vec3<T>& v, const std::string& path) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -113,7 +114,7 @@ Vec3<T> point(const Vec3<T>& v, const std::string& path) {
   return v;
 }
 
-/// The same without a string made for a path that is rarely needed.
+/// A point, validated without making a string for the path, which is rarely needed.
 template <class T>
 Vec3<T> point(const Vec3<T>& v, const char* path) {
   if (!fault_of_coordinate(v.x) && !fault_of_coordinate(v.y) && !fault_of_coordinate(v.z)) return v;

@@ -38,25 +38,25 @@ struct Vec3 {
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 
-/// x x + y y + z z.
+/// The dot product.
 template <class T>
 constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Perpendicular to both, right-handed.
+/// The cross product: perpendicular to both, right-handed.
 template <class T>
 constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Component by component product.
+/// The product component by component.
 template <class T>
 constexpr Vec3<T> scaled(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
-/// The length times itself, without a root.
+/// The squared length, without a root.
 template <class T>
 constexpr T length_squared(const Vec3<T>& v) {
   return dot(v, v);
@@ -69,19 +69,19 @@ T length(const Vec3<T>& v) {
   return sqrt(dot(v, v));
 }
 
-/// Coordinate by coordinate.
+/// The absolute value of each coordinate.
 template <class T>
 Vec3<T> abs(const Vec3<T>& v) {
   using std::abs;
   return {abs(v.x), abs(v.y), abs(v.z)};
 }
 
-/// The smaller of two scalars, and the larger; as a lane type defines them, so that kernels need no branch.
+/// The smaller of two scalars; without a branch for lane types, which overload it.
 template <class T>
 constexpr T least(const T& a, const T& b) {
   return b < a ? b : a;
 }
-/// The greater of the two.
+/// The larger of two scalars.
 template <class T>
 constexpr T greatest(const T& a, const T& b) {
   return a < b ? b : a;
@@ -96,23 +96,23 @@ constexpr Vec3<T> select(const M& condition, const Vec3<T>& yes, const Vec3<T>& 
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
 }
 
-/// Coordinate by coordinate.
+/// The smaller of each coordinate.
 template <class T>
 constexpr Vec3<T> least(const Vec3<T>& a, const Vec3<T>& b) {
   return {least(a.x, b.x), least(a.y, b.y), least(a.z, b.z)};
 }
-/// Coordinate by coordinate.
+/// The larger of each coordinate.
 template <class T>
 constexpr Vec3<T> greatest(const Vec3<T>& a, const Vec3<T>& b) {
   return {greatest(a.x, b.x), greatest(a.y, b.y), greatest(a.z, b.z)};
 }
-/// The number of [low, high] nearest to `value`.
+/// The number in [low, high] nearest to `value`.
 template <class T>
 constexpr T clamp(const T& value, const T& low, const T& high) {
   return greatest(low, least(value, high));
 }
 
-/// The largest absolute coordinate: the size that tolerances refer to.
+/// The largest absolute coordinate: the size to which tolerances are relative.
 template <class T>
 T max_abs(const Vec3<T>& v) {
   const Vec3<T> a = abs(v);
@@ -125,8 +125,8 @@ constexpr Vec3<S> converted(const Vec3<T>& v) {
   return {static_cast<S>(v.x), static_cast<S>(v.y), static_cast<S>(v.z)};
 }
 
-/// `v` scaled to unit length; the given unit vector `fallback` where `v` is zero.
-/// Divides by the largest component first, so that no square under- or overflows: any finite nonzero `v` will do.
+/// `v` scaled to unit length; the given unit vector `fallback` where `v` is zero. Divides by the largest component
+/// first, so that no square under- or overflows: any finite nonzero `v` will do.
 template <class T>
 Vec3<T> normalized(const Vec3<T>& v, const Vec3<T>& fallback = {T(0), T(1), T(0)}) {
   const T scale = max_abs(v);

@@ -1,8 +1,8 @@
-// The lane type: N scalars that are computed on at once.
+// The lane type: N scalars in one SIMD value.
 //
 // Guarantee: every operation is lane by lane the IEEE operation of the scalar, so that a kernel written once over its
-// scalar gives the same bits in every lane as it gives for that lane alone. Over the vectors of lane_vector.hpp, without
-// intrinsics. All of it is inlined even without optimisation (g++ and clang): kernels are compiled for several
+// scalar gives the same bits in every lane as it gives for that lane alone. Built on the vectors of lane_vector.hpp,
+// without intrinsics. All of it is inlined even without optimisation (g++ and clang): kernels are compiled for several
 // instruction sets, and no copy for one of them may be left where another's is called.
 #pragma once
 
@@ -21,16 +21,17 @@ namespace graze {
 /// N lanes of T (`float` or `double`), N a power of two. Comparisons give a `Mask`; `select` chooses by it.
 template <class T, int N>
 struct Wide {
-  using Lane = T;                                                               ///< the type of a lane
-  using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;  ///< an integer as long as a lane
-  using Vector = detail::LaneVector<T, N>;                                      ///< all lanes, as the compiler has them
-  using BitVector = detail::LaneVector<Bits, N>;                                ///< the bits of all lanes
+  using Lane = T;                                                               ///< type of a lane
+  using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;  ///< integer of a lane's size
+  using Vector = detail::LaneVector<T, N>;                                      ///< vector type of the compiler with
+                                                                                ///< all lanes
+  using BitVector = detail::LaneVector<Bits, N>;                                ///< vector of the bits of all lanes
 
-  static constexpr int lanes = N;  ///< how many there are
+  static constexpr int lanes = N;  ///< number of lanes
 
   /// One truth value a lane: all bits set, or none.
   struct Mask {
-    static constexpr int lanes = N;  ///< how many there are
+    static constexpr int lanes = N;  ///< number of lanes
     BitVector bits;                  ///< all set for true, none for false
 
     [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
@@ -40,32 +41,32 @@ struct Wide {
     [[gnu::always_inline]] friend Mask select(const Mask& condition, const Mask& yes, const Mask& no) {
       return (condition & yes) | ((!condition) & no);
     }
-    /// One lane.
+    /// Truth value of one lane.
     [[gnu::always_inline]] bool operator[](int i) const { return bits[i] != 0; }
   };
 
   Vector v;  ///< the lanes
 
   [[gnu::always_inline]] Wide() : v{} {}
-  /// The same number in all lanes.
+  /// A number in all lanes.
   [[gnu::always_inline]] explicit(false) Wide(T value) : v(value - Vector{}) {}
-  /// The lanes as the compiler has them.
+  /// The value of a compiler's vector.
   [[gnu::always_inline]] static Wide of(const Vector& vector) {
     Wide w;
     w.v = vector;
     return w;
   }
-  /// N numbers that stand one behind the other.
+  /// Loads N contiguous numbers.
   [[gnu::always_inline]] static Wide load(const T* from) {
     Wide w;
     std::memcpy(&w.v, from, sizeof w.v);
     return w;
   }
-  /// To where N numbers stand one behind the other.
+  /// Stores the lanes as N contiguous numbers.
   [[gnu::always_inline]] void store(T* to) const { std::memcpy(to, &v, sizeof v); }
-  /// One lane.
+  /// Value of one lane.
   [[gnu::always_inline]] T operator[](int i) const { return v[i]; }
-  /// One lane anew.
+  /// Sets one lane.
   [[gnu::always_inline]] void set(int i, T value) { v[i] = value; }
 
   [[gnu::always_inline]] friend Wide operator+(const Wide& a, const Wide& b) { return of(a.v + b.v); }
@@ -106,7 +107,7 @@ struct Wide {
     constexpr Bits sign = sizeof(T) == 4 ? Bits(0x80000000u) : Bits(0x8000000000000000u);
     return of(detail::bits_as<Vector>(detail::bits_as<BitVector>(a.v) & ~(BitVector{} + sign)));
   }
-  /// Lane by lane: both compilers make one vector instruction of the loop.
+  /// Square root lane by lane: both compilers make one vector instruction of the loop.
   [[gnu::always_inline]] friend Wide sqrt(const Wide& a) {
     Wide r;
     for (int i = 0; i < N; ++i) r.v[i] = std::sqrt(a.v[i]);
@@ -116,7 +117,7 @@ struct Wide {
 
 namespace detail {
 
-/// Lane by lane.
+/// The lanes of two vectors combined bit by bit: or, if `either`, else and.
 template <bool either, class V>
 [[gnu::always_inline]] inline V joined(const V& a, const V& b) {
   if constexpr (either)
@@ -124,7 +125,8 @@ template <bool either, class V>
   else
     return a & b;
 }
-/// Lanes joined in registers half by half, down to 64 bits: lane by lane takes several times as many instructions.
+/// The lanes of a vector combined half by half in registers, down to 64 bits: lane by lane takes several times as many
+/// instructions.
 template <bool either, class V, std::size_t... I>
 [[gnu::always_inline]] inline std::uint64_t joined_lanes(const V& v, std::index_sequence<I...>) {
   constexpr std::size_t half = sizeof...(I);
@@ -142,8 +144,8 @@ template <bool either, class V, std::size_t... I>
 
 }  // namespace detail
 
-/// Whether any lane is set, or all are; and for a single scalar's `bool`, or the `int` that joining two of them gives,
-/// so that kernels can ask either. Where an instruction makes bits of lanes, `set_lanes(mask)` tells them.
+/// Whether any lane is set. Also takes the `bool` of a scalar comparison, and the `int` that joining two of them gives,
+/// so that kernels run over scalars too. Uses `set_lanes(mask)` where an instruction makes bits of lanes.
 template <class M>
 [[gnu::always_inline]] inline bool any(const M& mask) {
   if constexpr (std::is_integral_v<M>) {
@@ -154,7 +156,7 @@ template <class M>
     return detail::joined_lanes<true>(mask.bits, std::make_index_sequence<M::lanes / 2>()) != 0;
   }
 }
-/// Whether it holds in all lanes.
+/// Whether all lanes are set.
 template <class M>
 [[gnu::always_inline]] inline bool all(const M& mask) {
   if constexpr (std::is_integral_v<M>) {

@@ -1,7 +1,7 @@
 // A node of a wide tree: the bounds of its children side by side, so that one box is tested against all at once.
 //
-// Guarantee: the test has no branch and takes each coordinate of all children as lanes; a place without a child
-// overlaps nothing, whatever is asked.
+// Guarantee: the test has no branch and takes each coordinate of all children as lanes; a slot without a child overlaps
+// nothing, whatever the box.
 #pragma once
 
 #include <array>
@@ -15,28 +15,28 @@
 
 namespace graze {
 
-/// What a child is: a node, a leaf, or nothing.
+/// Encoding of a child: a node, a leaf, or nothing.
 struct TreeChild {
-  /// No child, and the bit that tells a leaf from a node.
+  /// No child; and the bit that distinguishes a leaf from a node.
   static constexpr std::uint32_t none = ~0u, leaf_bit = 1u << 31;
 
   /// Whether the child is a leaf.
   static constexpr bool is_leaf(std::uint32_t child) { return (child & leaf_bit) != 0; }
-  /// What the leaf holds.
+  /// The number that the leaf holds.
   static constexpr std::uint32_t leaf(std::uint32_t child) { return child & ~leaf_bit; }
 };
 
-/// A ray, as boxes ask for it: the points origin + t direction with t >= 0, its direction of any length.
+/// A ray prepared for slab tests: the points origin + t direction with t >= 0, its direction of any length.
 template <class T>
 struct NodeRay {
-  Vec3<T> origin, inverse, margin;  ///< where the ray begins, one over its direction, and what is added for rounding
+  Vec3<T> origin, inverse, margin;  ///< origin, one over the direction, and the margin for rounding and `slack`
 
-  /// Boxes are met that grow by `slack` on all sides.
+  /// A ray whose slab tests enlarge boxes by `slack` on all sides.
   NodeRay(const Vec3<T>& from, const Vec3<double>& direction, double slack) : origin(from) {
     constexpr auto most = static_cast<double>((std::numeric_limits<T>::max)());
     constexpr double rounding = 1 + 8 * static_cast<double>(std::numeric_limits<T>::epsilon());
     for (std::size_t i = 0; i < 3; ++i) {
-      // Finite, so that a side that the ray lies in is not passed at 0 * infinity; nor at 0, hence a margin of 1e-18.
+      // Finite, so that a side that the ray lies in does not give 0 * infinity; and not zero, hence a margin of 1e-18.
       const double d = direction[i], inv = d == 0 ? most : 1 / d;
       inverse[i] = static_cast<T>(inv < -most ? -most : inv > most ? most : inv);
       const double m = d == 0 ? most * greatest(slack * rounding, 0x1p-60) : slack * std::abs(inv) * rounding;
@@ -48,50 +48,51 @@ struct NodeRay {
 /// A node of a tree, with the boxes of all its children side by side.
 template <class T>
 struct alignas(64) WideNode {
-  /// Measured on 30,000 drifting boxes with the 16-byte vectors that every x86-64 has: with four children a frame takes
-  /// half as long again, and the tree a fifth more memory.
+  /// Number of children. Measured on 30,000 drifting boxes with the 16-byte vectors that every x86-64 has: with four
+  /// children a frame takes half as long again, and the tree a fifth more memory.
   static constexpr std::uint32_t width = 8;
 
-  std::array<std::array<T, width>, 3> lower, upper;  ///< of the children's boxes, by axis
+  std::array<std::array<T, width>, 3> lower, upper;  ///< the children's boxes, by axis
   std::array<std::uint32_t, width> child;            ///< nodes, leaves or none
-  Aabb<T> bounds;                                    ///< of all children, and the room they may move in
-  std::uint32_t parent = 0, place = 0;               ///< which child of its parent it is
+  Aabb<T> bounds;                                    ///< box of all children, enlarged by the room they may move in
+  std::uint32_t parent = 0, place = 0;               ///< the parent, and the index of this node among its children
 
   WideNode() {
     for (std::uint32_t i = 0; i < width; ++i) clear(i);
     bounds = Aabb<T>::empty();
   }
 
-  /// Of the i-th child.
+  /// The box of the i-th child.
   Aabb<T> box(std::uint32_t i) const {
     return {{lower[0][i], lower[1][i], lower[2][i]}, {upper[0][i], upper[1][i], upper[2][i]}};
   }
-  /// Of the i-th child.
+  /// Sets the box of the i-th child.
   void set_box(std::uint32_t i, const Aabb<T>& b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       lower[axis][i] = b.lower[axis];
       upper[axis][i] = b.upper[axis];
     }
   }
-  /// The i-th child and its box.
+  /// Sets the i-th child and its box.
   void set(std::uint32_t i, const Aabb<T>& b, std::uint32_t what) {
     set_box(i, b);
     child[i] = what;
   }
-  /// NaN is what overlaps nothing; the empty box would overlap all of space, by its infinite ends.
+  /// Removes the i-th child. Its box becomes NaN, which overlaps nothing; the infinite ends of the empty box would
+  /// overlap all of space.
   void clear(std::uint32_t i) {
     constexpr T nan = std::numeric_limits<T>::quiet_NaN();
     set(i, {{nan, nan, nan}, {nan, nan, nan}}, TreeChild::none);
   }
 
-  /// One bit a child that is there.
+  /// A bit for each slot that has a child.
   std::uint32_t present() const {
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < width; ++i) bits |= (child[i] != TreeChild::none ? 1u : 0u) << i;
     return bits;
   }
-  /// The distance of each child from a box; anything for a place without a child. The largest gap of the three axes is
-  /// taken out before squaring, so that nothing overflows.
+  /// The distance of each child from a box; undefined for a slot without a child. The largest gap of the three axes is
+  /// factored out before squaring, so that nothing overflows.
   void distances(const Aabb<T>& from, std::array<T, width>& out) const {
     constexpr int lanes = 16 / sizeof(T);
     using Lanes = Wide<T, lanes>;
@@ -104,7 +105,7 @@ struct alignas(64) WideNode {
         gap[axis] = select(low > from_high, low - from_high, select(from_low > high, from_low - high, zero));
       }
       const Lanes largest = greatest(gap[0], greatest(gap[1], gap[2]));
-      // Of equal gaps without end there is no share.
+      // An infinite largest gap allows no division.
       const auto plain = (largest > zero) & (largest <= Lanes((std::numeric_limits<T>::max)()));
       const Lanes scale = one / select(plain, largest, one);
       Lanes sum = zero;
@@ -112,12 +113,12 @@ struct alignas(64) WideNode {
       select(plain, largest * sqrt(sum), largest).store(&out[first]);
     }
   }
-  /// Where a ray enters each child at the earliest, in multiples of its direction; infinity for those that it misses,
-  /// and anything for a place without a child (Kay, Kajiya 1986, "Ray tracing complex scenes", on slabs).
+  /// The parameter at which a ray enters each child, rounded down, in multiples of its direction; infinity for a miss,
+  /// and undefined for a slot without a child (Kay, Kajiya 1986, "Ray tracing complex scenes", on slabs).
   void entries(const NodeRay<T>& ray, std::array<T, width>& out) const {
     constexpr int lanes = 16 / sizeof(T);
     using Lanes = Wide<T, lanes>;
-    // A difference and its product with an inverse that is rounded itself: each way less than two epsilon.
+    // The rounding of a difference and of its product with a rounded inverse: each way less than two epsilon.
     const Lanes rounding(T(1) + T(8) * std::numeric_limits<T>::epsilon()),
         less(T(1) - T(4) * std::numeric_limits<T>::epsilon()), never(std::numeric_limits<T>::infinity());
     for (std::size_t at = 0; at < width; at += lanes) {
@@ -134,9 +135,9 @@ struct alignas(64) WideNode {
       select(enter <= leave * rounding, enter * less, never).store(&out[at]);
     }
   }
-  /// One bit a child: whether it overlaps the box.
+  /// A bit for each child that overlaps the box.
   std::uint32_t overlapping(const Aabb<T>& b) const {
-    // As many lanes as every x86-64 has: wider vectors than the hardware's are slow in g++.
+    // Vectors of the width that every x86-64 has: wider ones than the hardware's are slow in g++.
     constexpr int lanes = 16 / sizeof(T);
     using Lanes = Wide<T, lanes>;
     using Bits = typename Lanes::BitVector;

@@ -1,4 +1,4 @@
-// A world: bodies that come, move and go, and what touches in it from update to update.
+// A world: bodies that are added, moved and removed, and their contacts from update to update.
 //
 //     poses -> bounds -> candidate pairs -> filter -> bins by pair type -> manifolds -> begin, stay, end
 //
@@ -22,21 +22,21 @@
 
 namespace graze {
 
-/// What a world may be told at its beginning.
+/// Settings of a world.
 template <class T>
 struct WorldSettings {
-  /// Contacts are reported up to this far apart; by default up to `contact_margin` of the two.
+  /// Distance up to which contacts are reported; by default `contact_margin` of the two shapes.
   std::optional<T> margin = std::nullopt;
-  /// A last word on a pair that its filters allow. Called from the thread that calls `update`, but for fast bodies from
-  /// the executor's.
+  /// Final decision on a pair that its filters allow. Called from the thread that calls `update`, but for fast bodies
+  /// from the executor's.
   std::function<bool(BodyId, BodyId)> allow = nullptr;
-  /// Points of contact that a pair of bodies has at most, so that a solver has a bounded number to push at: those that
-  /// `reduce` of its manifolds leaves. Impulses are carried on to the points that are left again in the next update. By
-  /// default a pair has all of its points. Costs so many times the points of a pair that has more.
+  /// Largest number of contact points of a pair of bodies, which bounds the work of a solver: the points that `reduce`
+  /// of its manifolds keeps. Impulses are carried over to the points that are kept again in the next update. By default
+  /// a pair keeps all of its points. Costs so many times the points of a pair that has more.
   std::optional<std::size_t> points_per_pair = std::nullopt;
 };
 
-/// Bodies in place, and what touches.
+/// Bodies in place, and their contacts.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API World {
   using Vec = typename Space::Vec;
@@ -57,23 +57,24 @@ class GRAZE_API World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`.
+  /// Adds a body. Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`.
   BodyId add(Body<T, Space> body) { return bodies_.add(std::move(body)); }
-  /// These throw `InvalidValue` for a handle whose body was removed, and for what `add` refuses.
+  /// Removes a body. This and the setters below throw `InvalidValue` for a handle whose body was removed, and for
+  /// values that `add` refuses.
   void remove(BodyId id) { bodies_.remove(id); }
-  /// Puts a body elsewhere; its velocities stay what they are.
+  /// Puts a body elsewhere; its velocities stay as they are.
   void move(BodyId id, const Pose& pose) { bodies_.move(id, pose); }
   /// Puts a body elsewhere with other velocities, linear and angular in world axes.
   void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular) {
     bodies_.move(id, pose, linear, angular);
   }
-  /// Another shape from the next update on.
+  /// Replaces the shape from the next update on.
   void set_shape(BodyId id, Shape shape) { bodies_.set_shape(id, std::move(shape)); }
-  /// Another filter from the next update on.
+  /// Replaces the filter from the next update on.
   void set_filter(BodyId id, const Filter& filter) { bodies_.set_filter(id, filter); }
-  /// Whether the body is asked what it would pass through.
+  /// Sets whether the body is fast: tested for bodies that it would pass through.
   void set_fast(BodyId id, bool fast) { bodies_.set_fast(id, fast); }
-  /// Another last word than that of the settings, from the next update on; none allows all.
+  /// Replaces the final decision on pairs (`WorldSettings::allow`) from the next update on; null allows all.
   void
   set_allow(std::function<bool(BodyId, BodyId)> allow) {  // NOLINT(performance-unnecessary-value-param): moved from
     settings_.allow = std::move(allow);
@@ -82,30 +83,30 @@ class GRAZE_API World {
   /// All bodies, as arrays by index.
   const BodyArrays<T, Space>& bodies() const { return bodies_; }
 
-  /// Finds what touches now; and, given the time to the next update, what fast bodies would pass through until then.
-  /// Costs what changed since the last update while that is little, and the casts. Throws `InvalidValue` for a duration
-  /// that is negative or not finite.
+  /// Finds the contacts of the present poses; and, given the time to the next update, the bodies that fast ones would
+  /// pass through until then. Costs the changes since the last update while these are few, and the casts. Throws
+  /// `InvalidValue` for a duration that is negative or not finite.
   void update(T duration = T(0));
 
   /// What fast bodies would meet within `duration` by the velocities that bodies have now, from where the last update
   /// found them: `impacts` anew, and nothing else. For solvers, which know velocities only after they know contacts.
   void find_impacts(T duration);
 
-  /// What the last update found. Solvers write the points' impulses.
+  /// The contacts of the last update. Solvers write the points' impulses.
   ContactArrays<T, Space>& contacts() { return manifolds_.contacts(); }
-  /// Those of the last update.
+  /// The contacts of the last update.
   const ContactArrays<T, Space>& contacts() const { return manifolds_.contacts(); }
-  /// Those of the last update.
+  /// The events of the last update: contacts that began, stayed and ended.
   std::span<const ContactEvent> events() const { return tracker_.events(); }
-  /// What fast bodies would meet in the duration of the last update or `find_impacts`, in the order of time.
+  /// The bodies that fast ones would meet in the duration of the last update or `find_impacts`, in the order of time.
   std::span<const Impact<T, Space>> impacts() const { return impacts_; }
 
   /// Appends the bodies that touch a shape, by index. A point is a sphere without radius.
   void overlapping(const Shape& shape, const Pose& pose, const QueryFilter& filter, std::vector<BodyId>& out) const;
-  /// Whether there is any: stops at the first.
+  /// Whether any body touches a shape: stops at the first.
   bool overlaps_any(const Shape& shape, const Pose& pose, const QueryFilter& filter = {}) const;
-  /// Appends the `count` bodies nearest to a shape, of those that are not further than `limit`, the nearest first.
-  /// Without a count all of them.
+  /// Appends the `count` bodies nearest to a shape, among those no further than `limit`, the nearest first; without a
+  /// limit on `count`, all of them.
   void nearest(const Shape& shape, const Pose& pose, std::size_t count, T limit, const QueryFilter& filter,
                std::vector<BodyDistance<T, Space>>& out) const;
   /// The body nearest to a shape.
@@ -113,27 +114,25 @@ class GRAZE_API World {
                                                 T limit = std::numeric_limits<T>::infinity(),
                                                 const QueryFilter& filter = {}) const;
 
-  /// The first body that a ray hits; whether it hits any; and all that it hits, each where it is first hit, in the
-  /// order of the ray. Rays and back faces as for `graze::raycast`.
+  /// The first body that a ray hits. Rays and back faces as for `graze::raycast`.
   std::optional<BodyRayHit<T, Space>> raycast(const Ray& ray, T length = std::numeric_limits<T>::infinity(),
                                               const QueryFilter& filter = {}, BackFaces back = {}) const;
-  /// Whether the ray hits anything.
+  /// Whether the ray hits any body.
   bool raycast_any(const Ray& ray, T length = std::numeric_limits<T>::infinity(), const QueryFilter& filter = {},
                    BackFaces back = {}) const;
-  /// All that the ray hits, the nearest first.
+  /// Appends all bodies that the ray hits, each at its first hit, the nearest first.
   void raycast_all(const Ray& ray, T length, const QueryFilter& filter, std::vector<BodyRayHit<T, Space>>& out,
                    BackFaces back = {}) const;
 
-  /// The first body that a shape meets while it moves for `duration` and the bodies stand still; and all, each where it
-  /// is first met, in the order of time. As `graze::cast`.
+  /// The first body that a shape meets while it moves for `duration` and the bodies stand still. As `graze::cast`.
   std::optional<BodyCastHit<T, Space>> cast(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration,
                                             const QueryFilter& filter = {}, const CastOptions& options = {}) const;
-  /// All that the moving shape hits, the first one first.
+  /// Appends all bodies that the moving shape meets, each at its first contact, in the order of time.
   void cast_all(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration, const QueryFilter& filter,
                 std::vector<BodyCastHit<T, Space>>& out, const CastOptions& options = {}) const;
 
-  /// The tree of the bodies' bounds with their margins, by index, that questions go down: to be drawn. Brought up to
-  /// date where bodies changed since the last question.
+  /// The tree of the bodies' bounds with their margins, by index, that queries descend; for drawing. Brought up to date
+  /// where bodies changed since the last query.
   const DynamicTree<T>& tree() const;
 
   /// Bytes that are held, shapes' own data apart.
@@ -155,11 +154,11 @@ class GRAZE_API World {
   SerialExecutor serial_;
   Executor* executor_;
   BodyArrays<T, Space> bodies_;
-  // Questions, too, bring these up to date, one thread at a time.
+  // Queries, too, bring these up to date, one thread at a time.
   mutable std::vector<Aabb<T>> boxes_;
   mutable CandidateFinder<T> candidates_;
   mutable std::mutex mutex_;
-  mutable std::atomic<std::uint64_t> tree_revision_ = no_revision;  ///< of the bodies, as the tree knows them
+  mutable std::atomic<std::uint64_t> tree_revision_ = no_revision;  ///< revision of the bodies that the tree has
   std::vector<IdPair> allowed_;
   ManifoldFinder<T, Space> manifolds_;
   EventTracker tracker_;
