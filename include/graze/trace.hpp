@@ -65,7 +65,7 @@ struct TraceStep {
 
 /// One cut of the face of one shape by the plane through a side of the other's, upright on the contact plane.
 struct TraceCut {
-  Vec3d from, to;           ///< the side
+  Vec3d from, to;           ///< a side of the cutting face, as a segment
   std::vector<Vec3d> left;  ///< remainder of the face that is cut, counter-clockwise seen from B
 };
 

@@ -88,8 +88,8 @@ class GRAZE_API World {
   /// `InvalidValue` for a duration that is negative or not finite.
   void update(T duration = T(0));
 
-  /// What fast bodies would meet within `duration` by the velocities that bodies have now, from where the last update
-  /// found them: `impacts` anew, and nothing else. For solvers, which know velocities only after they know contacts.
+  /// Recomputes `impacts` alone: the bodies that fast ones would meet within `duration`, by the velocities that bodies
+  /// have now, from the poses of the last update. For solvers, which know velocities only after contacts.
   void find_impacts(T duration);
 
   /// The contacts of the last update. Solvers write the points' impulses.
@@ -135,7 +135,7 @@ class GRAZE_API World {
   /// where bodies changed since the last query.
   const DynamicTree<T>& tree() const;
 
-  /// Bytes that are held, shapes' own data apart.
+  /// Bytes that are held, without the shapes' own data.
   std::size_t memory() const;
 
  private:

@@ -1,4 +1,4 @@
-// The box and, of no thickness, the rectangle.
+// The box, and with zero thickness the rectangle.
 //
 // Guarantee: held as half extents; every vertex, edge and face has a number that never changes: bit i of a vertex's
 // number is set on the positive side of axis i; face 2i is the negative side of axis i and 2i + 1 the positive.
@@ -11,7 +11,7 @@
 
 namespace graze {
 
-/// A solid box about the origin, its edges along the axes. Also what a rectangle's questions are answered by.
+/// A solid box about the origin, its edges along the axes. A rectangle is answered as a box, too.
 template <class T>
 class Box {
  public:
@@ -45,11 +45,11 @@ class Box {
       p[major] = positive[major] ? half_[major] : -half_[major];
       p[u] = positive_u ? half_[u] : -half_[u];
       p[v] = positive_v ? half_[v] : -half_[v];
-      // Both ends of a side of no length are one corner, with one number.
+      // Both ends of a side of zero length are one corner, with one number.
       face.push(p, (std::size_t(positive[major]) << major) | (std::size_t(positive_u && half_[u] > T(0)) << u) |
                        (std::size_t(positive_v && half_[v] > T(0)) << v));
     };
-    // A side of no length has but one end: what is left of the face is an edge or a corner.
+    // A side of zero length has only one end: the face degenerates to an edge or a corner.
     const bool flat_u = a[u] <= lean && half_[u] > T(0), flat_v = a[v] <= lean && half_[v] > T(0);
     if (flat_u && flat_v) {
       face.id = static_cast<std::uint32_t>(2 * major + std::size_t(positive[major]));
@@ -78,7 +78,7 @@ class Box {
   }
 
  private:
-  /// Faces are numbered below six; an edge is told from another along the same axis by its vertices' numbers.
+  /// Edges are numbered from six, after the faces; two along the same axis differ by their vertices' numbers.
   static constexpr std::uint32_t edge_id(std::size_t axis) { return static_cast<std::uint32_t>(6 + axis); }
 
   Vec3<T> half_;

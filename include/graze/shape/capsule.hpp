@@ -1,7 +1,7 @@
 // The capsule: the convex hull of two balls, of equal radius or not (tapered).
 //
-// Guarantee: the core of an untapered capsule is its segment; of a tapered one, what is left of it when a ball of the
-// smaller radius is taken off (a ball and a point). One ball may hold the other: then the capsule is that ball.
+// Guarantee: the core of an untapered capsule is its segment; that of a tapered one is the capsule less a ball of the
+// smaller radius (the hull of a ball and a point). One ball may hold the other: then the capsule is that ball.
 #pragma once
 
 #include "graze/aabb.hpp"
@@ -17,12 +17,12 @@ class Capsule {
  public:
   static constexpr const char* name = "capsule";
 
-  /// `height` between the centres of the balls, which lie on the Y axis about the origin; all >= 0.
+  /// A capsule with `height` between the centres of the balls, which lie on the Y axis about the origin; all >= 0.
   Capsule(T height, T radius_bottom, T radius_top)
       : half_height_(validate::size(height, "height") / T(2)),
         radius_bottom_(validate::size(radius_bottom, "radiusBottom")),
         radius_top_(validate::size(radius_top, "radiusTop")) {}
-  /// Both balls of one radius.
+  /// An untapered capsule: both balls have one radius.
   Capsule(T height, T radius) : Capsule(height, radius, radius) {}
 
   /// Half of the height, along Y.

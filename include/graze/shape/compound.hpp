@@ -1,8 +1,7 @@
 // Several shapes that move as one, nested as wished.
 //
-// Guarantee: shared and immutable, with a tree of bounds over the children, so that copies are cheap, a query looks
-// only at children that come near, and queries from any thread are safe. The children keep the order in which they were
-// given.
+// Guarantee: shared and immutable, with a tree of bounds over the children, so that copies are cheap, a query visits
+// only nearby children, and queries from any thread are safe. The children keep their given order.
 #pragma once
 
 #include <memory>
@@ -30,12 +29,12 @@ class GRAZE_API Compound {
  public:
   static constexpr const char* name = "compound";
 
-  /// At least one child, each at its pose in the compound's frame. Cost n log n. Throws `InvalidValue`.
+  /// A compound of at least one child, each at its pose in the compound's frame. Cost n log n. Throws `InvalidValue`.
   explicit Compound(std::vector<Placed<T>> children);
   Compound(const Compound& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
-  std::span<const Placed<T>> children() const;  ///< the children in their places
-  /// What copies of the shape share.
+  std::span<const Placed<T>> children() const;  ///< the children in place
+  /// The data that copies of the shape share.
   const CompoundData<T>& data() const { return *data_; }
 
   T core_extent() const;

@@ -4,7 +4,7 @@
 // cylinder. Support points are exact; only the *face* of a cap is a polygon, inscribed in its rim: a regular octagon,
 // which reaches at least cos(pi / 8) = 0.923 of the radius in every direction. Where the cap leans by `turning_lean` (a
 // milliradian) or more, the octagon is turned, by a sixteenth of a turn at most, so that one of its corners is the
-// lowest point of the rim: what tips is held at the whole radius in the direction in which it leans.
+// lowest point of the rim: a cylinder that tips is held at the whole radius in the direction in which it leans.
 #pragma once
 
 #include "graze/aabb.hpp"
@@ -20,12 +20,12 @@ class Cylinder {
  public:
   static constexpr const char* name = "cylinder";
 
-  /// `height` along Y about the origin; all >= 0.
+  /// A cylinder of `height` along Y about the origin; all >= 0. Throws `InvalidValue`.
   Cylinder(T height, T radius_bottom, T radius_top)
       : half_height_(validate::size(height, "height") / T(2)),
         radius_bottom_(validate::size(radius_bottom, "radiusBottom")),
         radius_top_(validate::size(radius_top, "radiusTop")) {}
-  /// With one radius.
+  /// A cylinder proper: one radius.
   Cylinder(T height, T radius) : Cylinder(height, radius, radius) {}
 
   /// Half of the height, along Y.
@@ -45,7 +45,7 @@ class Cylinder {
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
     const S h(half_height_), bottom(radius_bottom_), top(radius_top_);
-    // The axis direction's support is the middle of a cap: as good a point of it as any, and the one without bias.
+    // Along the axis the support point is the middle of a cap, the one of its points that is without bias.
     const Vec3<S> flat{direction.x, S(0), direction.z};
     const S scale = greatest(abs(flat).x, abs(flat).z);
     if (!(scale > S(0))) return {S(0), direction.y < S(0) ? -h : h, S(0)};
@@ -90,18 +90,18 @@ class Cylinder {
                   Aabb<T>{high - disc * radius_top_, high + disc * radius_top_});
   }
 
-  static constexpr std::size_t cap_vertices = 8;  ///< of the polygon that stands for a cap in contacts
+  static constexpr std::size_t cap_vertices = 8;  ///< corners of the polygon that represents a cap in contacts
   /// The lean (a sine) from which on a corner of a cap's polygon lies where the rim reaches furthest. Below it the
   /// polygon turns there in proportion: the direction of a smaller lean is a solver's noise, and points are to stay.
   static constexpr T turning_lean = T(1e-3);
 
  private:
-  /// A turn about the axis, as its cosine and sine.
+  /// A rotation about the axis, as its cosine and sine.
   struct Turn {
     T cosine, sine;
   };
 
-  /// What turns the corner of `circle` that is nearest to the lean of a unit direction into it.
+  /// The rotation that takes the corner of `circle` nearest to the lean of a unit direction into it.
   static Turn turn_to_lean(const T (&circle)[cap_vertices][2], const Vec3<T>& n, T across) {
     if (!(across > T(0))) return {T(1), T(0)};
     const T x = n.x / across, z = n.z / across;

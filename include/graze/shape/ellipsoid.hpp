@@ -16,10 +16,10 @@ class Ellipsoid {
  public:
   static constexpr const char* name = "ellipsoid";
 
-  /// `radii` along the axes, about the origin, each >= 0.
+  /// An ellipsoid with `radii` along the axes, about the origin, each >= 0. Throws `InvalidValue`.
   explicit Ellipsoid(const Vec3<T>& radii) : radii_(validate::resolved(validate::extents(radii, "radii"))) {}
 
-  /// Along X, Y and, in space, Z.
+  /// The radii along X, Y and, in space, Z.
   const Vec3<T>& radii() const { return radii_; }
 
   T core_radius() const { return T(0); }

@@ -18,28 +18,28 @@ struct Face {
   SmallVector<std::uint32_t, 16> ids;  ///< the shape's own number for each vertex
   std::uint32_t id = 0;                ///< the shape's own number for the face, edge or vertex
 
-  /// Forgets all vertices.
+  /// Removes all vertices.
   void clear() {
     vertices.clear();
     ids.clear();
     id = 0;
   }
-  /// One more vertex, with the id that it has in its shape.
+  /// Appends a vertex, with its number in the shape.
   void push(const Vec3<T>& v, std::size_t vertex_id) {
     vertices.push_back(v);
     ids.push_back(static_cast<std::uint32_t>(vertex_id));
   }
 };
 
-/// How far, in radians, a direction may lean from a flat part's normal (or from the normal plane of a straight part)
-/// and still have the whole part as its support face. A solver's resting contacts tilt by a few milliradians; two
-/// degrees keep their faces whole, and the true distance of each point is reported whatever the lean.
+/// Largest angle, in radians, between a direction and a flat part's normal (or a straight part's normal plane) for
+/// which the whole part is the support face. A solver's resting contacts tilt by a few milliradians; two degrees keep
+/// their faces whole, and the true distance of each point is reported whatever the lean.
 template <class T>
 inline constexpr T face_lean = T(0.035);
 
-/// The same for what flat sides meet once a normal is chosen: a side is laid over the other shape's while it leans up
-/// to 60 degrees (this is the sine), and is seen from the edge beyond. No corner of a box leans as far from all three
-/// of its faces.
+/// Largest lean (a sine) of an incident face from the chosen normal: a face is clipped by the other shape's while it
+/// leans up to 60 degrees, and beyond that an edge is taken instead. No direction leans as far from all three faces of
+/// a box's corner.
 template <class T>
 inline constexpr T side_lean = T(0.866);
 

@@ -1,4 +1,4 @@
-// The solid half-space y <= 0, the field's infinite plane.
+// The solid half-space y <= 0, bounded by an infinite plane.
 //
 // Guarantee: unbounded and yet in every pair: its queries need only the other shape's support point along its normal.
 #pragma once
@@ -17,7 +17,7 @@ class HalfSpace {
   T core_radius() const { return T(0); }
   T core_extent() const { return T(0); }
 
-  /// All of space, or the half below or above where the normal is exactly an axis of the world.
+  /// All of space, or half of it where the normal is exactly an axis of the world.
   Aabb<T> core_bounds(const Pose<T>& pose) const {
     const Vec3<T> n = rotate(pose.rotation, Vec3<T>{T(0), T(1), T(0)});
     Aabb<T> bounds = Aabb<T>::everything();

@@ -1,8 +1,8 @@
-// Shapes that share their data, lent for a moment.
+// Lent shapes: short-lived copies that borrow the data which shapes of their kind share.
 //
-// Guarantee: a shape made with `Lent` answers as the one that lends; it must not outlive that one. Copying and dropping
-// it counts nothing, where a share in the data costs two atomic operations, which many threads that use one shape would
-// have to wait for.
+// Guarantee: a shape made with `Lent` answers as its lender; it must not outlive the lender. Copying and dropping it
+// counts no references, where a share in the data costs two atomic operations, which many threads that use one shape
+// would have to wait for.
 #pragma once
 
 #include <type_traits>
@@ -11,10 +11,10 @@
 
 namespace graze {
 
-/// Marks the constructors that lend.
+/// Tag of the constructors that lend.
 struct Lent {};
 
-/// The shape for a moment: lent, if it shares data, else a copy.
+/// A short-lived copy of the shape: lent, if the shape shares data, else an ordinary one.
 template <class C>
 C lent(const C& concrete) {
   if constexpr (std::is_constructible_v<C, const C&, Lent>)

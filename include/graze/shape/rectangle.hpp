@@ -13,10 +13,10 @@ class Rectangle {
  public:
   static constexpr const char* name = "rectangle";
 
-  /// Full edge lengths along X and Z, each >= 0.
+  /// A rectangle with full edge lengths along X and Z, each >= 0. Throws `InvalidValue`.
   Rectangle(T size_x, T size_z) : box_({validate::size(size_x, "sizeX"), T(0), validate::size(size_z, "sizeZ")}) {}
 
-  /// The box of zero thickness that this is.
+  /// The rectangle as a box of zero thickness.
   const Box<T>& as_box() const { return box_; }
 
   T core_radius() const { return T(0); }

@@ -1,4 +1,4 @@
-// Which sides of a surface without thickness push.
+// One-sided and two-sided surfaces.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,12 @@
 
 namespace graze {
 
-/// `front`: `contacts` leaves out what would push a body out through the back of a triangle, the side from which its
-/// corners run clockwise. A body comes through from behind as through a one-way door, and one whose middle has passed
-/// the surface is not pushed back, as in the engines of the field; edges push to either side. A closed mesh whose
-/// fronts lead out of it pushes outward alone also with `both`, unless the other shape may lie within it. Distance,
-/// overlap and the nearest point are geometry and know no sides.
+/// The sides of a surface without thickness that push. With `front`, `contacts` leaves out contacts that would push a
+/// body out through the back of a triangle, the side from which its corners run clockwise. A body comes through from
+/// behind as through a one-way door, and one whose middle has passed the surface is not pushed back, as is usual in
+/// physics engines; edges push to either side. A closed mesh whose fronts lead out of it pushes outward alone also with
+/// `both`, unless the other shape may lie within it. Distance, overlap and the nearest point are geometry and
+/// independent of sides.
 enum class Sides : std::uint8_t { both, front };
 
 }  // namespace graze

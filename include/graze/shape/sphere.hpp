@@ -1,6 +1,6 @@
 // The ball.
 //
-// Guarantee: sixteen bytes in `float`. Its core is its centre, so every query against it is one against a point.
+// Guarantee: sixteen bytes in `float`. The core is the centre, so every query against a ball is one against a point.
 #pragma once
 
 #include "graze/aabb.hpp"
@@ -16,13 +16,13 @@ class Sphere {
  public:
   static constexpr const char* name = "sphere";
 
-  /// `radius` >= 0 about `center` (in the shape's frame). Throws `InvalidValue`.
+  /// A ball of `radius` >= 0 about `center` (in the shape's frame). Throws `InvalidValue`.
   explicit Sphere(T radius, const Vec3<T>& center = {})
       : center_(validate::vertex(center, "center")), radius_(validate::size(radius, "radius")) {}
 
   /// The radius.
   T radius() const { return radius_; }
-  /// The middle.
+  /// The centre, in the shape's frame.
   const Vec3<T>& center() const { return center_; }
 
   T core_radius() const { return radius_; }

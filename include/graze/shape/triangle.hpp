@@ -13,7 +13,7 @@ namespace graze {
 
 namespace detail {
 
-/// The index of the vertex furthest along `direction`; of equals, the first.
+/// The index of the vertex furthest along `direction`; the first of equal ones.
 template <class S, class T>
 std::size_t furthest(const Vec3<T>* vertices, std::size_t count, const Vec3<S>& direction) {
   std::size_t best = 0;
@@ -28,7 +28,7 @@ std::size_t furthest(const Vec3<T>* vertices, std::size_t count, const Vec3<S>& 
   return best;
 }
 
-/// What bounds points under a pose.
+/// The bounds of points under a pose.
 template <class T>
 Aabb<T> bounds_of(const Vec3<T>* vertices, std::size_t count, const Pose<T>& pose) {
   Aabb<T> bounds = Aabb<T>::empty();
@@ -44,11 +44,11 @@ class Triangle {
  public:
   static constexpr const char* name = "triangle";
 
-  /// Counter-clockwise seen from its front.
+  /// A triangle, counter-clockwise seen from its front. Throws `InvalidValue`.
   Triangle(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c)
       : points_{validate::vertex(a, "points[0]"), validate::vertex(b, "points[1]"), validate::vertex(c, "points[2]")} {}
 
-  /// Its i-th corner or end.
+  /// The i-th vertex.
   const Vec3<T>& point(std::size_t i) const { return points_[i]; }
 
   T core_radius() const { return T(0); }
@@ -74,7 +74,7 @@ class Triangle {
       return;
     }
     const std::size_t top = detail::furthest(points_, 3, n);
-    // The flatter of the two edges down from the top: seen along the triangle, the other may lie below it.
+    // The flatter of the two edges that leave the top vertex: seen along the triangle, the other may lie below it.
     const std::size_t next = (top + 1) % 3, last = (top + 2) % 3;
     const auto fall = [&](std::size_t v) { return dot(normalized(points_[top] - points_[v], Vec3<T>{}), n); };
     const std::size_t other = fall(last) < fall(next) ? last : next;
@@ -93,17 +93,17 @@ class Triangle {
   Vec3<T> points_[3];
 };
 
-/// The straight piece between two points, as a shape (with a margin, a capsule that lies anywhere).
+/// The segment between two points, as a shape (with a margin, a capsule in any place).
 template <class T>
 class LineSegment {
  public:
   static constexpr const char* name = "segment";
 
-  /// From `a` to `b`.
+  /// The segment from `a` to `b`. Throws `InvalidValue`.
   LineSegment(const Vec3<T>& a, const Vec3<T>& b)
       : points_{validate::vertex(a, "points[0]"), validate::vertex(b, "points[1]")} {}
 
-  /// Its i-th corner or end.
+  /// The i-th end.
   const Vec3<T>& point(std::size_t i) const { return points_[i]; }
 
   T core_radius() const { return T(0); }

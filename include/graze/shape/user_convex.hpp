@@ -1,7 +1,7 @@
 // A convex shape of the user's own, given by its support function.
 //
-// Guarantee: takes part in every query that any convex shape does. Answers are as right as the support function: it
-// must return a point of the shape that lies furthest along the direction, and the same one whenever asked again.
+// Guarantee: takes part in every query that any convex shape does. Answers are as accurate as the support function: it
+// must return a point of the shape that lies furthest along the direction, and the same one for equal directions.
 #pragma once
 
 #include <memory>
@@ -30,15 +30,15 @@ class OriginSupport final : public SupportFunction<T> {
   Vec3<T> support(const Vec3<T>&) const override { return {}; }
 };
 
-/// A convex shape that is known by its support function.
+/// A convex shape that is given by its support function.
 template <class T>
 class UserConvex {
  public:
   static constexpr const char* name = "user";
 
-  /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite or larger
-  /// than `largest_magnitude`. A set that reaches less than `smallest_magnitude` along every axis is the origin; of
-  /// others small parts are kept as they are.
+  /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite or larger than
+  /// `largest_magnitude`. A set that reaches less than `smallest_magnitude` along every axis becomes the origin; small
+  /// parts of others are kept as they are.
   explicit UserConvex(std::shared_ptr<const SupportFunction<T>> function) : function_(std::move(function)) {
     if (!function_) validate::fail("function", "a support function", "null");
     const Aabb<T> box = core_bounds({});

@@ -1,4 +1,4 @@
-// Bodies: what stands in a world, in arrays by index.
+// Bodies of a world, in arrays by index.
 //
 // Guarantee: an index names the same body from its insertion to its removal; a handle whose body was removed is
 // refused, also when the index is in use again. Insertion, removal and look-up take constant time.
@@ -18,27 +18,27 @@ namespace graze {
 
 /// A handle: the index of a body in all arrays, and how often the index was given away before.
 struct BodyId {
-  /// Which place, and which of the bodies or joints that had it.
+  /// The slot, and how often the slot was given away before.
   std::uint32_t index = ~std::uint32_t{0}, generation = 0;
 
   friend constexpr bool operator==(const BodyId&, const BodyId&) = default;
   friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
 };
 
-/// What is said of a body when it is added.
+/// Description of a body to be added.
 template <class T, class Space = graze::Space<T>>
 struct Body {
-  typename Space::Shape shape;        ///< what it is
-  typename Space::Pose pose{};        ///< where it stands
+  typename Space::Shape shape;        ///< shape in the body's frame
+  typename Space::Pose pose{};        ///< pose in the world
   typename Space::Vec linear{};       ///< velocity of the pose's origin
-  typename Space::Turning angular{};  ///< the turning about it, in world space
-  Filter filter{};                    ///< what it may meet
+  typename Space::Turning angular{};  ///< angular velocity about the origin, in world space
+  Filter filter{};                    ///< category and mask of collisions
   bool fixed = false;                 ///< never moves by itself: two fixed bodies are no pair
-  bool trigger = false;               ///< tells that something is inside it; has no contact points
-  bool fast = false;                  ///< is asked what it would pass through before the next update
+  bool trigger = false;               ///< only reports overlaps; has no contact points
+  bool fast = false;                  ///< is tested for what it would pass through before the next update
 };
 
-/// The bodies of a world, an array for each of their parts. At indices that are not `alive` the rest means nothing.
+/// The bodies of a world, an array for each attribute. At indices that are not `alive` the values are meaningless.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API BodyArrays {
   using Vec = typename Space::Vec;
@@ -47,71 +47,71 @@ class GRAZE_API BodyArrays {
   using Shape = typename Space::Shape;
 
  public:
-  /// With `margin` contacts begin that far from every body, without it at each one's `contact_margin`.
-  /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
+  /// With `margin` contacts begin that far from every body, without it at each body's own `contact_margin`. Throws
+  /// `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
   explicit BodyArrays(std::optional<T> margin = {}) : margin_(margin) {
     if (margin) validate::extent(*margin, "margin");
   }
 
-  /// Makes room for so many bodies, and no more than that.
+  /// Makes room for this number of bodies, and no more than that.
   void reserve(std::size_t bodies);
-  /// Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`; turns the
-  /// rotation to unit length.
+  /// Adds a body, whose rotation is turned to unit length. Throws `InvalidValue` for a pose or velocity that is not
+  /// finite or larger than `largest_magnitude`.
   BodyId add(Body<T, Space> body);
-  /// These throw `InvalidValue` for a handle whose body is gone.
+  /// Removes a body. This and the setters below throw `InvalidValue` for a handle whose body is gone.
   void remove(BodyId id);
-  /// The velocities stay what they are where none are given.
+  /// Puts a body elsewhere; its velocities stay as they are.
   void move(BodyId id, const Pose& pose);
-  /// Puts it there, with the velocities that it has there.
+  /// Puts a body elsewhere, with new velocities.
   void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular);
-  void set_shape(BodyId id, Shape shape);            ///< another shape
-  void set_filter(BodyId id, const Filter& filter);  ///< another filter
-  void set_fast(BodyId id, bool fast);               ///< whether it may pass through something within an update
-  Body<T, Space> body(BodyId id) const;              ///< as it is now
+  void set_shape(BodyId id, Shape shape);            ///< replaces the shape
+  void set_filter(BodyId id, const Filter& filter);  ///< replaces the filter
+  void set_fast(BodyId id, bool fast);               ///< sets whether it may pass through something within an update
+  Body<T, Space> body(BodyId id) const;              ///< the body as it is now
 
-  /// Whether the body is still there.
+  /// Whether the handle's body exists.
   bool contains(BodyId id) const {
     return id.index < generations_.size() && alive_[id.index] != 0 && generations_[id.index] == id.generation;
   }
-  /// Of the body that has this index.
+  /// The handle of the body at this index.
   BodyId id(std::uint32_t index) const { return {index, generations_[index]}; }
-  /// How many bodies there are, and how many indices.
+  /// The number of bodies; `size` counts indices.
   std::size_t count() const { return shapes_.size() - free_.size(); }
   std::size_t size() const { return shapes_.size(); }
 
-  /// By index.
+  /// Shapes, by index.
   std::span<const Shape> shapes() const { return shapes_; }
-  /// By index.
+  /// Poses, by index.
   std::span<const Pose> poses() const { return poses_; }
   /// Velocities of the origins, by index.
   std::span<const Vec> linear() const { return linear_; }
   /// Angular velocities, by index.
   std::span<const Turning> angular() const { return angular_; }
-  /// By index.
+  /// Filters, by index.
   std::span<const Filter> filters() const { return filters_; }
-  /// Whether any was ever given a filter of its own: without, all may collide.
+  /// Whether any body was ever given a filter: without, all may collide.
   bool filtered() const { return filtered_; }
-  /// By index: whether a body has it.
+  /// By index: whether a body is there.
   std::span<const std::uint8_t> alive() const { return alive_; }
-  /// By index: whether it never moves.
+  /// By index: whether the body never moves.
   std::span<const std::uint8_t> fixed() const { return fixed_; }
-  /// By index: whether it only tells of overlaps.
+  /// By index: whether the body is a trigger, which only reports overlaps.
   std::span<const std::uint8_t> triggers() const { return triggers_; }
-  /// By index: whether it may pass through something within an update.
+  /// By index: whether the body may pass through something within an update.
   std::span<const std::uint8_t> fast() const { return fast_; }
-  /// How far from each body its contacts begin; of two bodies the smaller counts. Infinite of a half-space, which has
-  /// no size.
+  /// By index: the distance at which contacts of the body begin; in a pair the smaller counts. Infinite for a
+  /// half-space, which has no size.
   std::span<const T> margins() const { return margins_; }
-  /// That of a body with this shape, in a world of this margin or of none.
+  /// The margin of a body with this shape, in a world of the given margin or of none.
   static T margin_of(const Shape& shape, const std::optional<T>& margin);
 
-  /// What was added, removed, moved or given another shape since `settle`: one byte an index, and the indices sorted.
+  /// By index: whether the body was added, removed, moved or given another shape since `settle`.
   std::span<const std::uint8_t> changed() const { return changed_; }
-  std::span<const std::uint32_t> changes();  ///< the indices of what is `changed`, sorted
-  /// The same in the order in which they came.
+  std::span<const std::uint32_t> changes();  ///< the indices of `changed` bodies, sorted
+  /// The indices of `changed` bodies, in the order in which they changed.
   std::span<const std::uint32_t> unsorted_changes() const { return changes_; }
-  void settle();  ///< nothing counts as changed from here on
-  /// Grows with every change.
+  void settle();  ///< resets `changed`
+  /// A number that grows with every change.
   std::uint64_t revision() const { return revision_; }
 
   std::size_t memory() const;

@@ -17,7 +17,7 @@ Aabb<T> bounds_with_margin(const typename Space::Shape& shape, const typename Sp
   return inflated(Space::bounds(shape, pose), margin < std::numeric_limits<T>::infinity() ? margin : T(0));
 }
 
-/// boxes[i] = the bounds of body i grown by its margin, for each i of `which`.
+/// Sets boxes[i] to the bounds of body i grown by its margin, for each i of `which`.
 template <class T, class Space = graze::Space<T>>
 GRAZE_API void find_bounds(std::span<const typename Space::Shape> shapes, std::span<const typename Space::Pose> poses,
                            std::span<const T> margins, std::span<const std::uint32_t> which, std::span<Aabb<T>> boxes,

@@ -1,8 +1,8 @@
-// The second stage of a world: which bodies' bounds overlap.
+// The second stage of a world: pairs of bodies whose bounds overlap.
 //
 // Guarantee: exactly the pairs of bodies that are alive, not both fixed, and whose boxes overlap, sorted: a function of
-// these alone, whichever structure found them. While little moves, work proportional to that and to the pairs, of which
-// fixed bodies have none among themselves; else N log N.
+// these alone, whichever structure found them. While little moves, the work is proportional to the moved bodies and the
+// pairs (fixed bodies have none among themselves); else N log N.
 #pragma once
 
 #include <span>
@@ -17,16 +17,16 @@ namespace graze {
 template <class T>
 class GRAZE_API CandidateFinder {
  public:
-  /// `boxes`, `alive` and `fixed` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere
-  /// since the last call.
+  /// The overlapping pairs. `boxes`, `alive` and `fixed` are by index of body; `changes` holds the indices, sorted,
+  /// that are new, gone or elsewhere since the last call.
   std::span<const IdPair> find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                std::span<const std::uint8_t> fixed, std::span<const std::uint32_t> changes,
                                Executor& executor);
-  /// The boxes.
+  /// The tree of the boxes, as the last call left it.
   const DynamicTree<T>& tree() const { return tree_; }
 
-  /// The boxes of all that is alive, for queries: brought up to date for what changed in `find` and for `changes`. Not
-  /// from several threads at a time; the tree itself may be.
+  /// The boxes of all living bodies, for queries: brought up to date for the changes given to `find` and for `changes`.
+  /// Not to be called from several threads at a time; the tree itself may be read from several.
   const DynamicTree<T>& tree(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                              std::span<const std::uint32_t> changes);
 
@@ -42,7 +42,7 @@ class GRAZE_API CandidateFinder {
   DynamicTree<T> tree_;
   PairFinder<T> finder_;
   std::vector<std::uint8_t> in_tree_, is_stale_;
-  std::vector<std::uint32_t> stale_;  ///< what the tree does not know yet
+  std::vector<std::uint32_t> stale_;  ///< indices that are out of date in the tree
   std::vector<Aabb<T>> compact_;
   std::vector<std::uint32_t> index_;
   std::vector<IdPair> all_, pairs_, moved_, merged_;

@@ -1,13 +1,13 @@
 // The fifth stage of a world: from pairs to contact manifolds, in plain arrays.
 //
-// Guarantee: for each pair what `contacts` answers, bit for bit, whatever was remembered from the last call and on
-// however many threads it runs; but for what moves over the seam of fixed bodies side by side, which meets them as if
-// they were one, and for a pair that has more points than it may, of which those are left that `reduce` chooses. Pairs
-// are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair, and those of one pair
-// one behind the other. What is remembered only saves work: a pair of which neither body changed keeps its manifolds,
-// where few pairs changed also their places, and one that was apart is tried first along the direction in which it was,
-// but for pairs of balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at
-// a time.
+// Guarantee: each pair gets the answer of `contacts`, bit for bit, whatever was kept from the last call and on however
+// many threads it runs. Exceptions are bodies that move over the seam of fixed bodies side by side, which meet these as
+// if they were one, and pairs with more points than allowed, which keep those that `reduce` chooses. Pairs are sorted;
+// their manifolds and points stand in the order in which they were found, kind of pair by kind of pair, and those of
+// one pair are contiguous. Data kept from the last call only saves work: a pair of which neither body changed keeps its
+// manifolds, and where few pairs changed also their places; a pair that was apart is tested first along its last
+// separating direction, except for pairs of balls, capsules, boxes, triangles and half-spaces that have a kernel, which
+// are answered many at a time.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ struct Surroundings;
 template <class T, class Space>
 struct Waiting;
 
-/// Two bodies within the margin of each other, and where their manifolds stand.
+/// Two bodies within the margin of each other, and the range of their manifolds.
 template <class T>
 struct ContactPair {
   std::uint32_t a, b;  ///< indices of bodies, a < b; normals point from a to b
@@ -37,27 +37,27 @@ struct ContactPair {
   std::uint32_t first_manifold, manifold_count;
 };
 
-/// Points that share a normal, and where they stand.
+/// Points that share a normal.
 template <class T, class Space = graze::Space<T>>
 struct ContactManifold {
   typename Space::Vec normal{};    ///< unit, from a to b
-  std::uint32_t piece_a, piece_b;  ///< of a composite: the first triangle or child of it that touches
+  std::uint32_t piece_a, piece_b;  ///< the first triangle or child of a composite that touches
   std::uint32_t first_point, point_count;
 };
 
-/// A point of contact and what a solver has pushed there so far.
+/// A point of contact, with the solver's impulse there.
 template <class T, class Space = graze::Space<T>>
 struct SolverPoint : Space::ContactPoint {
   typename Space::Vec
-      impulse{};  ///< the solver's own: carried on to the same point of the next update, zero at a new one
+      impulse{};  ///< the solver's: carried over to the same point of the next update, zero at a new one
 };
 
-/// What an update found. The solver writes the points' impulses, nobody anything else.
+/// Contacts of an update. Only the solver writes to them: the points' impulses.
 template <class T, class Space = graze::Space<T>>
 struct ContactArrays {
   std::vector<ContactPair<T>> pairs;                 ///< sorted
-  std::vector<ContactManifold<T, Space>> manifolds;  ///< in an order of their own, as are the points
-  std::vector<SolverPoint<T, Space>> points;         ///< of all manifolds, one behind the other
+  std::vector<ContactManifold<T, Space>> manifolds;  ///< in the order in which they were found, as are the points
+  std::vector<SolverPoint<T, Space>> points;         ///< points of a manifold are contiguous
 
   std::span<const ContactManifold<T, Space>> manifolds_of(const ContactPair<T>& p) const {
     return std::span(manifolds).subspan(p.first_manifold, p.manifold_count);
@@ -76,32 +76,33 @@ class GRAZE_API ManifoldFinder {
   using PlacedRef = typename Space::PlacedRef;
 
  public:
-  static constexpr std::size_t all_points = (std::numeric_limits<std::size_t>::max)();  ///< keeps all of them
+  static constexpr std::size_t all_points = (std::numeric_limits<std::size_t>::max)();  ///< no limit on a pair's points
 
-  /// A finder that leaves at most so many points of a pair, chosen as by `reduce` of its manifolds.
+  /// A finder that keeps at most so many points of a pair, chosen as by `reduce` of its manifolds.
   explicit ManifoldFinder(std::size_t points_per_pair = all_points) : points_per_pair_(points_per_pair) {}
 
-  /// The contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is only
-  /// asked whether it overlaps, and has no manifolds. Where no body changed and the pairs are the same, nothing is
-  /// done. Calls `paired` once, from any thread, when those in contact stand in `contacts().pairs`; their manifolds and
+  /// Finds the contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is
+  /// only tested for overlap, and has no manifolds. Nothing is done where no body changed and the pairs are the same.
+  /// Calls `paired` once, from any thread, when the pairs in contact stand in `contacts().pairs`; their manifolds and
   /// points may still be put together while it runs.
   void find(
       const BodyArrays<T, Space>& bodies, std::span<const IdPair> pairs, Executor& executor,
       const std::function<void()>& paired = [] {});
 
-  /// Those of the last time.
+  /// The contacts of the last call.
   ContactArrays<T, Space>& contacts() { return now_; }
-  /// Those of the last time.
+  /// The contacts of the last call.
   const ContactArrays<T, Space>& contacts() const { return now_; }
 
   std::size_t memory() const;
 
  private:
-  /// What a candidate pair was after the last call, if not one of those in contact.
+  /// States of a candidate pair after the last call that is not in contact: not looked at, or apart.
   static constexpr std::uint32_t unknown = ~std::uint32_t{0}, apart = unknown - 1;
-  /// So many that a thread which comes late to the last task costs little, and as many as kernels take at a time.
+  /// Large enough that a thread which comes late to the last task costs little, and a multiple of what kernels take at
+  /// a time.
   static constexpr std::size_t pairs_per_task = 256;
-  /// What one thread finds, one behind the other, on lines that no other thread writes.
+  /// Results of one thread, contiguous, on cache lines that no other thread writes.
   struct alignas(64) Found {
     Refilled<ContactManifold<T, Space>> manifolds;
     Refilled<SolverPoint<T, Space>> points;
@@ -110,38 +111,38 @@ class GRAZE_API ManifoldFinder {
     std::vector<SolverPoint<T, Space>> sorted;
     PointChoice<T, Space> choice;
   };
-  /// A task's pairs and where what is found of them stands: among what its thread found, and in the end.
+  /// A task's pairs and the range of its results: among its thread's, and in the end.
   struct Task {
     std::size_t number = 0, found = 0;
     std::size_t first_manifold = 0, manifold_count = 0, first_point = 0, point_count = 0;
-    std::size_t contacts = 0;  ///< pairs that touch
+    std::size_t contacts = 0;  ///< number of pairs that touch
     std::size_t to_manifold = 0, to_point = 0;
   };
-  /// A pair that touches, as `ContactPair`, but its manifolds are counted within the task.
+  /// A pair that touches, as `ContactPair`, but with its manifolds counted within the task.
   struct Touch {
     std::uint32_t first_manifold, manifold_count;
     bool overlap;
   };
-  /// A pair whose contacts are found anew and put where the last ones stand.
+  /// A pair whose contacts are found anew and put in the place of the last ones.
   struct Asked {
-    std::uint32_t place, contact;  ///< among the pairs, and what it was after the last call
-    std::size_t first_manifold;    ///< of the task that looks at it
+    std::uint32_t place, contact;  ///< index among the pairs, and its state after the last call
+    std::size_t first_manifold;    ///< counted within the task that answers it
   };
-  /// Manifolds of the last call, one behind the other, that are to be copied.
+  /// Contiguous manifolds of the last call that are to be copied.
   struct Run {
     std::uint32_t begin = 0, end = 0;
   };
-  /// What a pair has to know of a body before it looks at it.
+  /// Attributes of a body, gathered before its pairs are visited.
   struct Seen {
-    const void* concrete;  ///< as kernels take it, or null
+    const void* concrete;  ///< the shape as kernels take it, or null
     T margin;
-    std::uint8_t traits;  ///< bits of those below
+    std::uint8_t traits;  ///< bits from the list below
   };
-  /// The fixed bodies that one which moves may touch: `count` of the neighbours, from `first` on.
+  /// The fixed bodies that a moving one may touch: `count` of the neighbours, from `first` on.
   struct Around {
     std::uint32_t first = 0, count = 0, filled = 0;
   };
-  /// `fresh`: another body had its index in the last call.
+  /// Bits of `Seen::traits`; `fresh`: another body had its index in the last call.
   static constexpr std::uint8_t changed = 1, trigger = 2, fixed = 4, fresh = 8;
 
   bool kinds_stay(const BodyArrays<T, Space>& bodies) const;
@@ -190,27 +191,28 @@ class GRAZE_API ManifoldFinder {
   std::span<const SolverPoint<T, Space>> last_points(std::uint32_t place) const;
 
   std::size_t points_per_pair_;
-  std::vector<Seen> seen_;  ///< of each body
+  std::vector<Seen> seen_;  ///< by body
   Bins bins_;
-  const Shape* shapes_ = nullptr;            ///< where those stood
-  std::vector<std::uint32_t> last_changes_;  ///< which of them are seen as changed
-  std::vector<std::uint32_t> generations_;   ///< of each body
-  std::vector<Around> around_;               ///< of each body that is in a pair with a fixed one
+  const Shape* shapes_ = nullptr;            ///< address of the bodies' shapes at the last call
+  std::vector<std::uint32_t> last_changes_;  ///< bodies whose `changed` bit is set
+  std::vector<std::uint32_t> generations_;   ///< by body
+  std::vector<Around> around_;               ///< by body, for those in a pair with a fixed one
   std::vector<PlacedRef> neighbours_;
-  std::size_t ground_ = 0;       ///< how many bodies are fixed
-  bool ground_changed_ = false;  ///< some of them did
+  std::size_t ground_ = 0;       ///< number of fixed bodies
+  bool ground_changed_ = false;  ///< whether any fixed body, or pair with one, changed
   std::vector<IdPair> pairs_, last_pairs_;
-  /// Of each pair: its place among those in contact, or as above; once it was looked at and until all were, its touch.
+  /// By pair: its index among those in contact, or a state from above; while pairs are being answered, its touch.
   std::vector<std::uint32_t> contact_, last_contact_;
-  /// Of each pair, in the frame of a: along it they were apart; zero for none. Only where pairs without a kernel are.
+  /// By pair, in the frame of a: the direction along which they were apart; zero for none. Kept only where there are
+  /// pairs without a kernel.
   std::vector<Vec> axes_, last_axes_;
   bool keeps_axes_ = false;
   std::vector<Found> found_;
   std::vector<Asked> asked_;
-  std::vector<std::uint32_t> asked_places_;  ///< those of `asked_`
+  std::vector<std::uint32_t> asked_places_;  ///< the pairs of `asked_`
   std::vector<Task> tasks_;
-  std::vector<Touch> touches_;                 ///< room for as many of each task as it has pairs
-  std::vector<std::uint32_t> first_contacts_;  ///< of each range of pairs
+  std::vector<Touch> touches_;                 ///< for each task room for as many as it has pairs
+  std::vector<std::uint32_t> first_contacts_;  ///< by range of pairs
   ContactArrays<T, Space> now_, last_;
 };
 

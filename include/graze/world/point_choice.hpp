@@ -1,4 +1,4 @@
-// The choice of points that a pair of bodies keeps, among all of its manifolds; see `reduce.hpp` for which these are.
+// The choice of points that a pair of bodies keeps, among all of its manifolds, by the rule of `reduce.hpp`.
 //
 // Guarantee: the choice follows from the points, their order and their normals alone. Memory serves pair after pair.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace graze {
 
-/// Chooses which points of a pair are kept.
+/// Chooses the points of a pair that are kept.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API PointChoice {
   using Vec = typename Space::Vec;
@@ -23,9 +23,9 @@ class GRAZE_API PointChoice {
     points_.push_back({p.position(), normal, p.distance, T(0), manifold, false});
   }
   std::size_t size() const { return points_.size(); }
-  /// Marks `count` of the points, which must be more. Costs `count` times their number.
+  /// Marks `count` of the points, of which there must be more. Costs `count` times their number.
   void choose(std::size_t count);
-  /// Whether the point that was added as the i-th is marked.
+  /// Whether the i-th added point is marked.
   bool kept(std::size_t i) const { return points_[i].kept; }
   /// Bytes that are held.
   std::size_t memory() const { return points_.capacity() * sizeof(Candidate); }
@@ -34,7 +34,7 @@ class GRAZE_API PointChoice {
   struct Candidate {
     Vec place, normal;
     T distance;
-    T apart_squared;  ///< from the nearest that is kept
+    T apart_squared;  ///< squared distance from the nearest point kept so far
     std::size_t manifold;
     bool kept;
   };

@@ -1,8 +1,8 @@
-// What a scene is asked: what is here, what is nearest, what is in the way.
+// Queries on a scene: bodies that touch a shape, the nearest ones, and those in the way of a ray or a moving shape.
 //
-// Guarantee: exactly the bodies that the question is about, whatever structure finds them, sorted as each question says
-// and by index where that is equal: a function of the scene and the question alone. Bodies are where they were last
-// put, whether or not the world was updated since. Safe from several threads while nothing changes.
+// Guarantee: exactly the bodies that the query is about, whatever structure finds them, sorted as each query says and
+// by index where that is equal: a function of the scene and the arguments alone. Bodies are where they were last put,
+// whether or not the world was updated since. Safe from several threads while nothing changes.
 #pragma once
 
 #include <functional>
@@ -13,32 +13,32 @@
 
 namespace graze {
 
-/// Which bodies a question is about.
+/// The bodies that a query considers.
 struct QueryFilter {
-  Filter filter{};                     ///< of the one who asks: it finds what it may collide with
+  Filter filter{};                     ///< filter of the query: it finds bodies that it may collide with
   bool triggers = false;               ///< finds triggers too
-  std::function<bool(BodyId)> accept;  ///< a last word; none accepts all
+  std::function<bool(BodyId)> accept;  ///< final decision on a body; none accepts all
 };
 
-/// A body and how far it is from the shape that was asked about, which is A of the distance.
+/// A body and its distance from the query's shape, which is A.
 template <class T, class Space = graze::Space<T>>
 struct BodyDistance {
-  BodyId body;                        ///< which body it is
+  BodyId body;                        ///< the body
   typename Space::Distance distance;  ///< to the body
 };
 
 /// A body that a ray hits.
 template <class T, class Space = graze::Space<T>>
 struct BodyRayHit {
-  BodyId body;                 ///< which body it is
-  typename Space::RayHit hit;  ///< where it is hit
+  BodyId body;                 ///< the body
+  typename Space::RayHit hit;  ///< the hit
 };
 
-/// A body that a moving shape hits, which is A of the hit.
+/// A body that a moving shape hits; the moving shape is A of the hit.
 template <class T, class Space = graze::Space<T>>
 struct BodyCastHit {
-  BodyId body;                  ///< which body it is
-  typename Space::CastHit hit;  ///< where it is hit
+  BodyId body;                  ///< the body
+  typename Space::CastHit hit;  ///< the hit
 };
 
 }  // namespace graze

@@ -1,7 +1,7 @@
 // A list that is filled anew in every update.
 //
-// Guarantee: what is appended stands one behind the other. Room that was once made stays and is not cleared, so that an
-// update that finds about as much as the last one neither allocates nor writes anything twice.
+// Guarantee: elements are contiguous. Capacity is kept and not cleared, so that an update that finds about as much as
+// the last one neither allocates nor writes anything twice.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace graze {
 
-/// An array that is filled anew again and again, and keeps its room.
+/// An array that is filled anew again and again, and keeps its capacity.
 template <class E>
 class Refilled {
  public:
@@ -23,24 +23,24 @@ class Refilled {
   /// All elements.
   std::span<const E> filled() const { return {room_.data(), size_}; }
 
-  /// Forgets the elements and keeps the room.
+  /// Removes all elements and keeps the capacity.
   void clear() { size_ = 0; }
-  /// Drops what stands from `size` on.
+  /// Removes the elements from `size` on.
   void shorten(std::size_t size) { size_ = size; }
-  /// Appends `count` elements that the caller has yet to write, and returns where the first of them stands.
+  /// Appends `count` elements that the caller has yet to write, and returns the address of the first.
   E* extend(std::size_t count) {
-    // By a sixteenth at least: what is left of the room at the end of an update may have to be cleared in the next one.
+    // Growth by a sixteenth at least: capacity left at the end of an update may have to be cleared in the next one.
     if (room_.size() - size_ < count) room_.resize(size_ + count + size_ / 16 + 16);
     E* const first = room_.data() + size_;
     size_ += count;
     return first;
   }
-  /// One more.
+  /// Appends one element.
   void push_back(const E& element) { *extend(1) = element; }
 
-  /// Where it stands, to be changed for another: what is filled goes with it.
+  /// The storage, to be swapped for another together with the elements.
   std::vector<E>& room() { return room_; }
-  /// How many there is room for.
+  /// The number of elements there is room for.
   std::size_t capacity() const { return room_.capacity(); }
 
  private:

@@ -1,8 +1,8 @@
-// What a world has to know of the space that it is in.
+// The trait of a world's space: its types and queries by number of dimensions.
 //
 // Guarantee: `World` and its stages are written once, over a trait of this form; `Space` is that of three dimensions,
-// `plane::Space` (`graze/plane/space.hpp`) that of two. Boxes that broad phases sort have three dimensions in either:
-// broad phases know no shapes, and what lies in the plane z = 0 overlaps there as it does in the plane.
+// `plane::Space` (`graze/plane/space.hpp`) that of two. The boxes of broad phases have three dimensions in either:
+// broad phases see no shapes, and boxes in the plane z = 0 overlap there as they do in the plane.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace graze {
 
-/// What a world asks of the number of dimensions: here three.
+/// The trait of three-dimensional space.
 template <class T>
 struct GRAZE_API Space {
   using Vec = Vec3<T>;
@@ -35,23 +35,23 @@ struct GRAZE_API Space {
   using Velocity = graze::Velocity<T>;
   using CastHit = graze::CastHit<T>;
 
-  /// Whether what moves over fixed bodies side by side meets them as if they were one.
+  /// Whether bodies that move over fixed bodies side by side meet these as if they were one.
   static constexpr bool joins_fixed = true;
 
-  /// What stands at an index whose body is gone.
+  /// Placeholder shape at an index whose body is gone.
   static Shape nothing() { return Sphere<T>(T(0)); }
   /// The bounds of a shape.
   static Aabb<T> bounds(const Shape& shape, const Pose& pose) { return graze::bounds(shape, pose); }
-  /// The bounds of a shape, or, of one that turns, of all places that it may come to.
+  /// The bounds of a shape at a pose, or, with an angular velocity, of all orientations that it may come to.
   static Aabb<T> bounds_turning(const Shape& shape, const Pose& pose, const Turning& angular);
-  /// A vector among those boxes.
+  /// A vector of this space in the space of the boxes.
   static const Vec3<T>& among_boxes(const Vec& v) { return v; }
-  /// How far any point of a shape gets by its turning in a unit of time, at most.
+  /// An upper bound of the speed of any point of a shape due to its rotation.
   static T speed_of_turning(const Shape& shape, const Turning& angular);
 
-  /// The pose, its rotation of unit length: one that was made so stays bit for bit, whereas to divide it once more by
-  /// its length could change it. Its square is off by eight roundings at most: twice two and a half of each component,
-  /// and three of the sum. Throws `InvalidValue` for one that is not finite or larger than
+  /// The pose, its rotation of unit length: a rotation that is one already stays bit for bit, whereas dividing it once
+  /// more by its length could change it. The square of its length is then off by eight roundings at most: twice two and
+  /// a half of each component, and three of the sum. Throws `InvalidValue` for a pose that is not finite or larger than
   /// `largest_magnitude`.
   static Pose checked(const Pose& pose) {
     const Quat<T> unit = validate::rotation(pose.rotation, "pose.rotation"), &q = pose.rotation;
@@ -65,11 +65,11 @@ struct GRAZE_API Space {
     validate::point(angular, "angular");
   }
 
-  /// As `graze::raycast`.
+  /// The query `graze::raycast`.
   static std::optional<RayHit> raycast(const Shape& shape, const Pose& pose, const Ray& ray, T length, BackFaces back) {
     return graze::raycast(shape, pose, ray, length, back);
   }
-  /// As `graze::cast`.
+  /// The query `graze::cast`.
   static std::optional<CastHit> cast(const Shape& a, const Pose& pose_a, const Velocity& velocity_a, const Shape& b,
                                      const Pose& pose_b, const Velocity& velocity_b, T duration,
                                      const CastOptions& options) {
