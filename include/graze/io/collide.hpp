@@ -1,4 +1,4 @@
-// The main job: which colliders of a scene touch, where, how deep and in which direction.
+// Collision detection of a whole scene: the colliders that touch, with their contacts.
 //
 // Guarantee: every allowed pair whose shapes come within the margin, in the order of the colliders; the answer is a
 // function of the scene and the options alone. Pairs of one body, pairs that the filters forbid and, in a scene where
@@ -15,30 +15,30 @@
 
 namespace graze::io {
 
-/// What may be told.
+/// Options of `collide`.
 struct CollideOptions {
   double margin = 0;                                  ///< >= 0, up to `largest_magnitude` of the precision
-  Precision precision = Precision::double_precision;  ///< in which scalar it is computed
-  /// Points that a pair has at most, as `WorldSettings::points_per_pair`; all by default.
+  Precision precision = Precision::double_precision;  ///< scalar of the computation
+  /// Largest number of points of a pair, as `WorldSettings::points_per_pair`; by default all.
   std::optional<std::size_t> points_per_pair;
-  /// Called from time to time with how much of a part of the work is done, of how much.
+  /// Called from time to time with the amount of work done so far in the present stage, and the stage's whole amount.
   std::function<void(std::size_t, std::size_t)> progress;
 };
 
 /// Two colliders within the margin.
 struct TouchingPair {
   std::uint32_t a, b;           ///< indices of colliders, a < b
-  bool overlap = false;         ///< whether they overlap, and are not only near
+  bool overlap = false;         ///< true for overlap, false for a gap within the margin
   bool trigger = false;         ///< one of them is a trigger
   Manifolds<double> manifolds;  ///< normals from a to b
 
-  /// The deepest point's signed distance, and the normal of its manifold.
+  /// The deepest point's signed distance.
   double distance() const;
-  Vec3d normal() const;             ///< of the deepest point
-  std::size_t point_count() const;  ///< of all manifolds
+  Vec3d normal() const;             ///< normal of the deepest point's manifold
+  std::size_t point_count() const;  ///< number of points in all manifolds
 };
 
-/// Throws `InvalidValue` for a margin, shape or pose that is too large for the precision.
+/// The touching pairs. Throws `InvalidValue` for a margin, shape or pose that is too large for the precision.
 GRAZE_API std::vector<TouchingPair> collide(const Scene& scene, const CollideOptions& options = {});
 
 }  // namespace graze::io

@@ -1,8 +1,8 @@
-// Files opened and written, with the reason where that fails.
+// Files opened and written, with the reason of any failure.
 //
-// Guarantee: what cannot be read or written throws `InvalidValue` with the file's name and the system's reason ("no
-// such file", "a folder", "no space left on device"); nothing is taken for read or written that is not. A file that is
-// written as a whole has its old bytes or all of its new ones, whenever the program is killed or the disk is full.
+// Guarantee: a file that cannot be read or written throws `InvalidValue` with its name and the system's reason ("no
+// such file", "a folder", "no space left on device"); no failure goes unnoticed. A file that is written as a whole has
+// its old bytes or all of its new ones, whenever the program is killed or the disk is full.
 #pragma once
 
 #include <filesystem>
@@ -14,16 +14,16 @@
 
 namespace graze::io {
 
-/// A file opened for reading, byte by byte. Throws `InvalidValue` for what is not there, a folder, or not permitted.
+/// Opens a file for reading, byte by byte. Throws `InvalidValue` if it does not exist, is a folder, or may not be read.
 GRAZE_API std::ifstream open_file(const std::filesystem::path& file);
 
 /// A file that is written piece by piece, and can be read meanwhile.
 class GRAZE_API FileWriter {
  public:
-  /// Makes the file, or empties it. Throws `InvalidValue`, as everything here does.
+  /// Creates the file, or empties it. Throws `InvalidValue`, as all functions of the class do.
   explicit FileWriter(const std::filesystem::path& file);
   void write(std::string_view bytes);  ///< appends
-  /// Writes out what was kept back, which may find no room: without this nothing is known to be written.
+  /// Writes out buffered bytes, which may fail for lack of room: without this call nothing is known to be written.
   void close();
 
  private:
@@ -31,27 +31,26 @@ class GRAZE_API FileWriter {
   std::ofstream out_;
 };
 
-/// A file that is written piece by piece and takes its name when it is closed: until then its bytes stand beside it, in
-/// NAME.partial, which goes when the writer does. A link stays one, and what it leads to is written; the permissions of
-/// a file that was there are kept. Devices, pipes and what is named below /dev or /proc are written as the bytes come,
-/// and so is a file in a folder that takes no new ones.
+/// A file that is written piece by piece and takes its name when it is closed: until then its bytes are beside it, in
+/// NAME.partial, which the destructor removes. A link stays one, and its target is written; the permissions of an
+/// existing file are kept. Devices, pipes and files named below /dev or /proc are written as the bytes come, and so is
+/// a file in a folder that takes no new ones.
 class GRAZE_API WholeFileWriter {
  public:
-  /// Throws `InvalidValue`, as everything here does.
+  /// Opens NAME.partial. Throws `InvalidValue`, as all functions of the class do.
   explicit WholeFileWriter(const std::filesystem::path& file);
   ~WholeFileWriter();
   WholeFileWriter(const WholeFileWriter&) = delete;
   WholeFileWriter& operator=(const WholeFileWriter&) = delete;
   void write(std::string_view bytes);  ///< appends
-  void close();                        ///< gives the file its name: without this nothing is written
+  void close();                        ///< gives the file its name: without this call nothing is written
 
  private:
-  std::filesystem::path file_, target_, written_;  ///< as named, where links lead, and where the bytes go
+  std::filesystem::path file_, target_, written_;  ///< as named, the target of links, and the file that takes the bytes
   std::ofstream out_;
 };
 
-/// Throws `InvalidValue` if a file cannot be written, before the work that fills it begins; leaves everything as it
-/// was.
+/// Throws `InvalidValue` if a file cannot be written, to be called before the work that fills it; changes nothing.
 GRAZE_API void check_writable(const std::filesystem::path& file);
 
 /// Writes the parts one behind the other as a whole file, by a `WholeFileWriter`.

@@ -1,7 +1,7 @@
-// A picture of who owns what of a scene, put together from what each owner draws by itself, as SVG.
+// A picture of the ownership of a scene's bodies, put together from the drawings of each owner, as SVG.
 //
-// Guarantee: any scene gives a picture, however large it is: what would be smaller than a few pixels, and in a scene of
-// many bodies all that is not large, is a square, and of squares in one place the nearest to the viewer stays.
+// Guarantee: any scene gives a picture, however large it is: bodies smaller than a few pixels, and in a scene of many
+// bodies all but the large ones, are squares, and of squares in one place the nearest to the viewer stays.
 #pragma once
 
 #include <array>
@@ -19,24 +19,24 @@ namespace graze::io {
 /// A drawing that many processes make together: each draws its own bodies, one gathers and writes it.
 class GRAZE_API OwnersPicture {
  public:
-  /// A picture of what stands within `whole`, as seen against `direction` (towards the viewer; not zero), orthographic,
-  /// Y up, of so many bodies in all. All owners say the same. Throws `InvalidValue` for a direction that is none.
+  /// A picture of the region `whole`, seen against `direction` (towards the viewer; not zero), orthographic, Y up, of
+  /// so many bodies in all. All owners pass the same arguments. Throws `InvalidValue` for an invalid direction.
   OwnersPicture(const Aabbd& whole, const Vec3d& direction, std::uint64_t bodies);
 
-  /// Draws a shape in the colour of its owner, paler where it does not move.
+  /// Draws a shape in the colour of its owner, paler if it is fixed.
   void add(const Shaped& shape, const Posed& pose, bool fixed, std::uint32_t owner);
 
-  /// What was drawn here, as bytes for another process.
+  /// The drawing as bytes for another process.
   std::string packed() const;
-  /// Adds what another process has drawn. Throws `InvalidValue` for bytes that are none of `packed`.
+  /// Adds the drawing of another process. Throws `InvalidValue` for bytes that `packed` did not make.
   void add_packed(std::string_view bytes);
 
-  /// Whose share is how large, in words, and where its region of space ends.
+  /// An owner: its share in words, and the bounds of its region.
   struct Owner {
     std::string words;  ///< its line in the legend
     Aabbd region;       ///< its part of space, drawn as a frame
   };
-  /// The picture of all that was drawn and added, with a title and a legend of its owners, as SVG.
+  /// The picture of everything drawn and added, with a title and a legend of its owners, as SVG.
   std::string svg(const std::string& title, const std::vector<Owner>& owners) const;
 
  private:
@@ -45,7 +45,7 @@ class GRAZE_API OwnersPicture {
     bool background = false;
     std::string text;
   };
-  using Place = std::array<std::int32_t, 3>;  ///< of a square: binary logarithm of its side, column and row
+  using Place = std::array<std::int32_t, 3>;  ///< place of a square: binary logarithm of its side, column and row
   void add_square(const Place& place, Face face);
 
   Aabbd whole_;

@@ -1,8 +1,8 @@
-// The query protocol: one JSON question a line, one JSON answer a line.
+// The query protocol: one query in JSON a line, one answer in JSON a line.
 //
 // Guarantee: every line that is not blank gets exactly one answer, in order; whatever its bytes, it can neither crash
-// nor hang the process, nor make it hold more than a small multiple of the line itself. What cannot be answered is
-// answered by an error that names the path of the value at fault, what was expected there and what was found.
+// nor hang the process, nor make it hold more than a small multiple of the line itself. An invalid line is answered by
+// an error that names the path of the value at fault, the expectation there and the value found.
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,22 @@ namespace graze::io {
 /// The scalar that answers.
 enum class Precision { single_precision, double_precision };
 
-/// What is answered to one line.
+/// The answer to one line.
 struct AnswerLine {
   std::string text;    ///< one JSON object, without a line end
   bool error = false;  ///< whether the line could not be answered
 };
 
-/// Answers one question. With the number of its line, counted from 1, as `answer_stream` does: an error that has no
-/// `id` to be known by begins with it.
+/// Answers one query. `number` is that of its line, counted from 1: an error without an `id` to identify it begins with
+/// the number, as in `answer_stream`.
 GRAZE_API AnswerLine answer_line(std::string_view line, Precision precision, std::size_t number = 0);
 
-/// The answer to a line with its trace, whether the question asks for it (`explain`) or not.
+/// The answer to a line with its trace, whether the query requests that (`explain`) or not.
 GRAZE_API AnswerLine explained_line(std::string_view line, Precision precision);
 
-/// Answers all lines of `in`, one at a time; flushes before it would wait for more input. An error that has no `id` to
-/// be known by begins with its line, counted from 1: "line 3: ...". Stops when `out` takes no more, which its state
-/// tells. Returns how many answers were errors.
+/// Answers all lines of `in`, one at a time; flushes before it waits for more input. An error without an `id` to
+/// identify it begins with its line, counted from 1: "line 3: ...". Stops when `out` takes no more, which the state of
+/// `out` shows. Returns the number of answers that were errors.
 GRAZE_API std::size_t answer_stream(std::istream& in, std::ostream& out, Precision precision);
 
 }  // namespace graze::io

@@ -1,10 +1,10 @@
-// The questions of plane/query.hpp about many pairs at once.
+// Batches in the plane: the queries of plane/query.hpp on many pairs of shapes at once.
 //
-// Guarantee: for every pair the bits that the question about it alone gives, in whatever order the pairs come, whatever
-// pairs stand beside it, at every level of the instruction set and on any number of threads; so that a batch is a
-// matter of speed only. Circles, capsules of one radius, segments, boxes, half-planes and convex polygons of up to
-// eight vertices are answered many at a time where that is faster, all other pairs one by one. Nothing is allocated for
-// kernels; the arrays of the answer grow where they must.
+// Guarantee: each pair gets the bits that the query gives for it alone, whatever the order of the pairs, the other
+// pairs of the batch, the level of the instruction set and the number of threads; a batch is a matter of speed only.
+// Circles, untapered capsules, segments, boxes, half-planes and convex polygons of up to eight vertices are answered
+// many at a time where that is faster, all other pairs one by one. Kernels allocate nothing; the arrays of the answer
+// grow as needed.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace graze::plane {
 
 namespace detail {
 
-/// The place of a kind in `ShapeList`.
+/// The index of a kind in `ShapeList`.
 template <class C, class T>
 constexpr std::size_t kind_of() {
   return []<std::size_t... I>(std::index_sequence<I...>) {
@@ -38,13 +38,14 @@ constexpr std::size_t kind_of() {
 
 }  // namespace detail
 
-/// Shapes and where they stand, in the caller's arrays, which outlive this. There are as many shapes as poses, or one
-/// shape for all poses, or one pose for all shapes.
+/// Shapes and their poses, in the caller's arrays, which must outlive this view. There are as many shapes as poses, or
+/// one shape for all poses, or one pose for all shapes.
 template <class T>
 class GRAZE_API Bodies {
  public:
-  /// `shapes` are of one kind known to the compiler, such as `Box<T>`, or of any: `Shape<T>`. Those of one kind take
-  /// less memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
+  /// `shapes` are of one kind known at compile time, such as `Box<T>`, or of any kind: `Shape<T>`. Shapes of one kind
+  /// take less memory and thus less time to load. Throws `InvalidValue` for numbers of shapes and poses that do not
+  /// match.
   template <class C>
   Bodies(std::span<const C> shapes, std::span<const Pose2<T>> poses);
   /// Bodies in vectors, which are borrowed like any array.
@@ -53,20 +54,20 @@ class GRAZE_API Bodies {
       : Bodies(std::span<const C>(shapes), std::span<const Pose2<T>>(poses)) {}
 
   std::size_t size() const { return size_; }
-  /// Of the i-th body: a single pose is that of all.
+  /// The pose of the i-th body; a single pose belongs to all bodies.
   const Pose2<T>& pose(std::size_t i) const { return poses_.size() == 1 ? poses_[0] : poses_[i]; }
-  /// The place of a shape in `ShapeList`.
+  /// The kind of the i-th shape: its index in `ShapeList`.
   std::size_t kind(std::size_t i) const { return one_kind() ? kind_ : any(i).index(); }
-  /// Whether all are of one kind, known to the compiler.
+  /// Whether all shapes are of one kind that is known at compile time.
   bool one_kind() const { return kind_ < Shape<T>::count; }
-  /// The concrete shape, which is of that kind.
+  /// Pointer to the i-th shape as an object of the class of its kind.
   const void* concrete(std::size_t i) const {
     if (one_kind()) return static_cast<const char*>(shapes_) + place(i) * stride_;
     return any(i).visit([](const auto& c) { return static_cast<const void*>(&c); });
   }
-  /// The rounding radius, which only a `Shape<T>` has.
+  /// The rounding radius of the i-th shape: zero for shapes of one kind, since only a `Shape<T>` has one.
   T rounding(std::size_t i) const { return one_kind() ? T(0) : any(i).rounding(); }
-  /// Calls `f` with the shape as a value; it is only copied where all are of one kind.
+  /// Calls `f` with the i-th shape as a value, without a copy unless all are of one kind.
   template <class F>
   decltype(auto) visit(std::size_t i, F&& f) const {
     return one_kind() ? f(made_(concrete(i))) : f(any(i));
@@ -78,19 +79,20 @@ class GRAZE_API Bodies {
 
   const void* shapes_;
   std::size_t shape_count_, stride_, size_;
-  std::size_t kind_ = Shape<T>::count;  ///< that of all, or none
+  std::size_t kind_ = Shape<T>::count;  ///< the common kind; `Shape<T>::count` if there is none
   std::span<const Pose2<T>> poses_;
   Shape<T> (*made_)(const void* concrete);
 };
 
-/// The pairs that a question is about.
+/// The pairs of a batched query.
 template <class T>
 class GRAZE_API Batch {
  public:
-  /// Places in `a` and in `b`; these may be the same. Throws `InvalidValue` for a place that they do not have.
+  /// Pairs by index: each of `pairs` holds an index into `a` and one into `b`, which may be the same bodies. Throws
+  /// `InvalidValue` for an index out of range.
   Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs);
-  /// The first of A with the first of B, and so on; where one of them has a single body, that with all of the other.
-  /// Throws `InvalidValue` for numbers that do not go together.
+  /// Pairs in order: the i-th body of A with the i-th of B. A side with a single body pairs it with every body of the
+  /// other. Throws `InvalidValue` for numbers that do not match.
   Batch(const Bodies<T>& a, const Bodies<T>& b);
 
   std::size_t size() const { return size_; }
@@ -98,7 +100,7 @@ class GRAZE_API Batch {
   const Bodies<T>& a() const { return a_; }
   /// The second bodies of the pairs.
   const Bodies<T>& b() const { return b_; }
-  /// The places of the i-th pair.
+  /// The indices of the i-th pair's bodies, in `a` and in `b`.
   IdPair operator[](std::size_t i) const {
     if (!pairs_.empty()) return pairs_[i];
     const auto place = static_cast<std::uint32_t>(i);
@@ -111,7 +113,7 @@ class GRAZE_API Batch {
   std::size_t size_;
 };
 
-/// Where the pairs of a batch touch: the contacts of all of them in three arrays.
+/// Contacts of a batch: the manifolds and points of all its pairs in three arrays.
 template <class T>
 struct BatchContacts {
   /// One pair of the batch.
@@ -122,12 +124,12 @@ struct BatchContacts {
   /// One manifold of a pair.
   struct Group {
     Vec2<T> normal{};                        ///< unit, from A to B
-    std::uint32_t piece_a = 0, piece_b = 0;  ///< which child of a compound touches, else 0
+    std::uint32_t piece_a = 0, piece_b = 0;  ///< the child of a compound that touches, else 0
     std::uint32_t first_point = 0, point_count = 0;
   };
   std::vector<Pair> pairs;              ///< one for each pair of the batch, in its order
-  std::vector<Group> manifolds;         ///< those of a pair one behind the other
-  std::vector<ContactPoint<T>> points;  ///< those of a manifold one behind the other
+  std::vector<Group> manifolds;         ///< manifolds of a pair are contiguous
+  std::vector<ContactPoint<T>> points;  ///< points of a manifold are contiguous
 
   std::span<const Group> manifolds_of(std::size_t pair) const {
     return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);
@@ -137,25 +139,27 @@ struct BatchContacts {
   }
 };
 
-/// `overlap` of each pair: 1 or 0. With an executor, on its threads.
+/// Sets `touch[i]` to 1 where the i-th pair overlaps, else to 0. With an executor, on its threads.
 template <class T>
 GRAZE_API void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor = nullptr);
 
-/// `distance` of each pair. With an executor, on its threads.
+/// Sets `distances[i]` to the `distance` of the i-th pair. With an executor, on its threads.
 template <class T>
 GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor = nullptr);
 
-/// `contacts` of each pair up to `margin` >= 0 apart. With an executor, on its threads; the arrays are the same.
+/// Contacts of the pairs that are at most `margin` >= 0 apart, as `contacts` gives them. With an executor, on its
+/// threads; the arrays are the same.
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
 
-/// The first hit of each ray with 0 <= t <= `length`, as `raycast` tells it. `hits` has at least as many places as
-/// there are rays; rays beyond its end are left out. At boxes and convex polygons without rounding many at a time.
+/// Writes the first hit of each ray with 0 <= t <= `length`, as `raycast` defines it, to the entry of `hits` at the
+/// ray's index. Rays beyond the end of `hits` are left out. At boxes and convex polygons without rounding many rays at
+/// a time.
 template <class T>
 GRAZE_API void raycast(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays,
                        std::span<std::optional<RayHit<T>>> hits, T length = std::numeric_limits<T>::infinity());
 
-/// Whether each ray hits anything with 0 <= t <= `length`, as `raycast_any` tells it.
+/// Writes to `hits`, for each ray, whether anything is hit with 0 <= t <= `length`, as `raycast_any` defines it.
 template <class T>
 GRAZE_API void raycast_any(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays,
                            std::span<bool> hits, T length = std::numeric_limits<T>::infinity());

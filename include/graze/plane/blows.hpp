@@ -1,4 +1,4 @@
-// Blows of the plane that are passed on: what bodies do that touch each other while one of them is struck.
+// Propagation of impacts in the plane: the motions of bodies in mutual contact after one of them is struck.
 //
 // Guarantee: that of `graze/blows.hpp`, whose code it is.
 #pragma once
@@ -8,14 +8,14 @@
 
 namespace graze::plane {
 
-/// A body as a blow meets it.
+/// A body in a collision.
 template <class T>
 using StruckBody = graze::StruckBody<T, Space<T>>;
 /// The points of two bodies that share a normal, struck together.
 template <class T>
 using Blow = graze::Blow<T, Space<T>>;
 
-/// As `graze::pass_on`.
+/// The function `graze::pass_on`, for the plane.
 template <class T>
 GRAZE_API PassedOn<T> pass_on(std::span<StruckBody<T>> bodies, std::span<const Blow<T>> blows,
                               std::span<const Vec2<T>> points, std::span<T> impulses, T resting_speed,

@@ -1,7 +1,7 @@
-// How a body of the plane is moved: its mass, where that lies, and who moves it.
+// Dynamics of a body of the plane: its mass, centre of mass and inertia, damping and control.
 //
-// Guarantee: a plain value. What is left out follows from the shape. `Simulation::add` throws `InvalidValue` for what
-// is neither a mass nor an inertia, naming it.
+// Guarantee: a plain value. Omitted values follow from the shape. `Simulation::add` throws `InvalidValue` for values
+// that are neither a mass nor an inertia, naming them.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,21 @@
 
 namespace graze::plane {
 
-/// As `graze::Dynamics`, with a number for the inertia. Lengths, masses and times are in the caller's units.
+/// Dynamics of a body, with a number for the inertia. Lengths, masses and times are in the caller's units.
 template <class T>
 struct Dynamics {
-  /// > 0. Infinite for a body that nothing pushes: it keeps its velocity, gravity included. By default the area of
-  /// the shape times `density`; a shape without area that is neither fixed nor kinematic has to be given one.
+  /// Mass, > 0; infinite for a body that impulses do not change: it keeps its velocity, gravity included. By default
+  /// the area of the shape times `density`; required for a shape without area that is neither fixed nor kinematic.
   std::optional<T> mass;
   std::optional<Vec2<T>> center_of_mass;  ///< in the body's frame; by default that of the shape
-  /// About the centre of mass: > 0, infinite for a body that does not turn. By default that of the shape, filled evenly
-  /// with the mass; about another centre of mass, too.
+  /// Moment of inertia about the centre of mass: > 0, infinite for a body that does not turn. By default that of the
+  /// shape, filled evenly with the mass, even about another centre of mass.
   std::optional<T> inertia;
   T density = T(1000);       ///< > 0, mass per area
   T gravity_factor = T(1);   ///< times the simulation's gravity
   T linear_damping = T(0);   ///< >= 0, per unit of time: a velocity v falls as v' = -damping v
-  T angular_damping = T(0);  ///< the same of the turning
-  bool kinematic = false;    ///< keeps the velocity that it is given: pushes and is not pushed
+  T angular_damping = T(0);  ///< >= 0, per unit of time: damping of the angular velocity
+  bool kinematic = false;    ///< keeps its given velocity: pushes other bodies and is not pushed
   bool may_sleep = true;     ///< sleeps with its island where nothing in it moves
 };
 

@@ -1,8 +1,8 @@
-// How a rigid body of the plane moves while nothing touches it: falling and turning.
+// Free motion of a rigid body of the plane: falling and turning without contact.
 //
-// Guarantee: as `graze/free_motion.hpp`. The angular momentum is the state, and a step without torque does not touch
-// it; nor does it change the rate of turning in the plane, so that the orientation is exact up to rounding, however
-// large the step. Only + - * / and sqrt, so that every machine gives the same bits.
+// Guarantee: that of `graze/free_motion.hpp`. The angular momentum is the state, and a step without torque does not
+// touch it; nor does it change the angular velocity in the plane, so that the orientation is exact up to rounding,
+// however large the step. Only + - * / and sqrt, so that every machine gives the same bits.
 #pragma once
 
 #include "graze/plane/contact_motion.hpp"
@@ -12,33 +12,33 @@ namespace graze::plane {
 /// A body in free motion, its frame at the centre of mass.
 template <class T>
 struct FreeBody {
-  Vec2<T> center{};      ///< of mass
-  Rot2<T> rotation{};    ///< of the body
+  Vec2<T> center{};      ///< centre of mass
+  Rot2<T> rotation{};    ///< orientation of the body
   Vec2<T> linear{};      ///< velocity of the centre of mass
   T angular_momentum{};  ///< about the centre of mass
-  T inverse_inertia{};   ///< zero of a body that does not turn
+  T inverse_inertia{};   ///< zero for a body that does not turn
 };
 
-/// From the angular momentum.
+/// The angular velocity in radians per unit of time, from the angular momentum.
 template <class T>
 T angular_velocity(const FreeBody<T>& body) {
   return body.angular_momentum * body.inverse_inertia;
 }
 
-/// Sets the angular momentum from an angular velocity; a body that does not turn has none.
+/// Sets the angular momentum from an angular velocity; zero for a body that does not turn.
 template <class T>
 void set_angular_velocity(FreeBody<T>& body, const T& angular) {
   body.angular_momentum = body.inverse_inertia > T(0) ? angular / body.inverse_inertia : T(0);
 }
 
-/// The energy of the turning.
+/// The kinetic energy of the rotation.
 template <class T>
 T rotational_energy(const FreeBody<T>& body) {
   return body.angular_momentum * angular_velocity(body) / T(2);
 }
 
 /// The rotation by `angle` radians in + - * / and sqrt alone, unlike `Rot2::from_angle`. An angle that is not finite
-/// turns nothing. Costs a product for each power of two in the angle.
+/// gives the identity. Costs a product for each power of two in the angle.
 template <class T>
 GRAZE_API Rot2<T> rotation_by(T angle);
 

@@ -1,7 +1,8 @@
-// Rigid placements in the plane, and boxes aligned with its axes.
+// Poses: rigid transforms of the plane, and axis-aligned boxes in it.
 //
-// Guarantee: as `pose.hpp`: a relative pose is made from the difference of two translations, so it does not lose digits
-// when both bodies are far from the origin. A rotation is held as its cosine and sine, so no query takes either.
+// Guarantee: exact operations as in `pose.hpp`: a relative pose is made from the difference of two translations, so it
+// does not lose digits when both bodies are far from the origin. A rotation is held as its cosine and sine, so that no
+// query computes either.
 #pragma once
 
 #include <cmath>
@@ -14,32 +15,32 @@ namespace graze::plane {
 /// A rotation of the plane, counter-clockwise: the unit vector to which it turns the X axis.
 template <class T>
 struct Rot2 {
-  T cosine{T(1)}, sine{};  ///< of the angle
+  T cosine{T(1)}, sine{};  ///< cosine and sine of the angle
 
-  /// The rotation by `angle` radians. Needs a sine, and so is for set-up and not for kernels.
+  /// The rotation by `angle` radians. Calls the C library's sine and cosine, and is meant for set-up only.
   static Rot2 from_angle(T angle) {
     using std::cos, std::sin;
     return {cos(angle), sin(angle)};
   }
-  /// First `b`, then `a`.
+  /// The product of rotations: first `b`, then `a`.
   friend constexpr Rot2 operator*(const Rot2& a, const Rot2& b) {
     return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
   }
-  /// Number by number.
+  /// Equality of both components.
   friend constexpr bool operator==(const Rot2& a, const Rot2& b) { return a.cosine == b.cosine && a.sine == b.sine; }
 };
 
-/// What undoes it.
+/// The inverse rotation.
 template <class T>
 constexpr Rot2<T> inverse(const Rot2<T>& q) {
   return {q.cosine, -q.sine};
 }
-/// The vector turned.
+/// The vector turned by the rotation.
 template <class T>
 constexpr Vec2<T> rotate(const Rot2<T>& q, const Vec2<T>& v) {
   return {q.cosine * v.x - q.sine * v.y, q.sine * v.x + q.cosine * v.y};
 }
-/// The vector turned back.
+/// The vector turned by the inverse rotation.
 template <class T>
 constexpr Vec2<T> inverse_rotate(const Rot2<T>& q, const Vec2<T>& v) {
   return {q.cosine * v.x + q.sine * v.y, q.cosine * v.y - q.sine * v.x};
@@ -48,7 +49,7 @@ template <class S, class T>
 constexpr Rot2<S> converted(const Rot2<T>& q) {
   return {static_cast<S>(q.cosine), static_cast<S>(q.sine)};
 }
-/// The rotation at unit length, as rounding or conversion to another scalar may have left it a little off.
+/// The rotation at unit length, from which rounding or conversion to another scalar may have moved it a little.
 template <class T>
 Rot2<T> normalized(const Rot2<T>& q) {
   const Vec2<T> x = normalized(Vec2<T>{q.cosine, q.sine}, {T(1), T(0)});
@@ -58,8 +59,8 @@ Rot2<T> normalized(const Rot2<T>& q) {
 /// A rigid motion from a body's frame to the world: p -> translation + rotation p.
 template <class T>
 struct Pose2 {
-  Vec2<T> translation{};  ///< where the origin of the frame stands
-  Rot2<T> rotation{};     ///< of unit length
+  Vec2<T> translation{};  ///< origin of the frame, in the world
+  Rot2<T> rotation{};     ///< orientation, of unit length
 
   friend constexpr bool operator==(const Pose2&, const Pose2&) = default;
 };
@@ -68,12 +69,12 @@ using Rot2d = Rot2<double>;
 using Pose2f = Pose2<float>;
 using Pose2d = Pose2<double>;
 
-/// From the frame into the world.
+/// A point of the frame, in world coordinates.
 template <class T>
 constexpr Vec2<T> transform(const Pose2<T>& pose, const Vec2<T>& point) {
   return pose.translation + rotate(pose.rotation, point);
 }
-/// From the world into the frame.
+/// A point of the world, in coordinates of the frame.
 template <class T>
 constexpr Vec2<T> inverse_transform(const Pose2<T>& pose, const Vec2<T>& point) {
   return inverse_rotate(pose.rotation, point - pose.translation);
@@ -83,7 +84,7 @@ template <class T>
 constexpr Pose2<T> compose(const Pose2<T>& a, const Pose2<T>& b) {
   return {transform(a, b.translation), a.rotation * b.rotation};
 }
-/// `b` seen from `a`.
+/// The pose `b` in the frame of `a`.
 template <class T>
 constexpr Pose2<T> relative(const Pose2<T>& a, const Pose2<T>& b) {
   return {inverse_transform(a, b.translation), inverse(a.rotation) * b.rotation};
@@ -93,7 +94,7 @@ constexpr Pose2<S> converted(const Pose2<T>& pose) {
   return {converted<S>(pose.translation), converted<S>(pose.rotation)};
 }
 
-/// All points between `lower` and `upper`, both included.
+/// An axis-aligned box: all points between `lower` and `upper`, both included.
 template <class T>
 struct Aabb2 {
   Vec2<T> lower{}, upper{};  ///< the corners with the least and the greatest coordinates
@@ -101,12 +102,12 @@ struct Aabb2 {
   friend constexpr bool operator==(const Aabb2&, const Aabb2&) = default;
 };
 
-/// Whether the boxes have a point in common; boxes that touch do.
+/// Whether two closed boxes have a point in common; touching counts.
 template <class T>
 constexpr bool overlap(const Aabb2<T>& a, const Aabb2<T>& b) {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
 }
-/// The least box that holds both.
+/// The smallest box that contains both boxes.
 template <class T>
 constexpr Aabb2<T> merged(const Aabb2<T>& a, const Aabb2<T>& b) {
   return {least(a.lower, b.lower), greatest(a.upper, b.upper)};

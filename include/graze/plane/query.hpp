@@ -1,10 +1,9 @@
-// The questions of `graze/query.hpp` in the plane: do two shapes touch, how far apart or how deep are they, where do
-// they touch, what point is nearest.
+// Queries on two shapes of the plane: overlap, signed distance, contacts, and the nearest point of a surface.
 //
-// Guarantee: that of `graze/query.hpp`. Every question answers for every pair of shapes, right within `tolerance<T>`
-// times the size of the pair (the larger radius about a shape's own origin), or its status says that it is not. Answers
-// are computed in double, in a frame relative to the pair: moving the scene does not change them. Nothing throws,
-// aborts or prints. Safe from any thread.
+// Guarantee: that of `graze/query.hpp`. Every query answers for every pair of shapes, right within `tolerance<T>` times
+// the size of the pair (the larger radius about a shape's own origin), or its status says that it is not. Answers are
+// computed in double, in a frame relative to the pair: moving the scene does not change them. Nothing throws, aborts or
+// prints. Safe from any thread.
 //
 // Normals are unit vectors that point from A to B; distances are signed: positive between separated shapes, negative
 // when they overlap, and then minus the length of the shortest translation that separates them.
@@ -33,13 +32,13 @@ struct Distance {
 /// One point of contact, in world space.
 template <class T>
 struct ContactPoint {
-  Vec2<T> a{}, b{};         ///< on the surface of A, and of B: b - a = distance * normal
+  Vec2<T> a{}, b{};         ///< points on the surfaces of A and of B: b - a = distance * normal
   T distance{};             ///< signed: negative is penetration
-  std::uint32_t feature{};  ///< names the features of A (high half) and of B (low half) that touch
-  T weight = T(0.5);        ///< how far from a to b `position()` lies
+  std::uint32_t feature{};  ///< identifies the features of A (high half) and of B (low half) that touch
+  T weight = T(0.5);        ///< position of `position()` between a (0) and b (1)
 
-  /// The point between the two that a solver wants: the middle; for two circles the radius-weighted point P with
-  /// |P - c1| / |P - c2| = r1 / r2.
+  /// The contact position for a solver: the midpoint of a and b; for two circles the radius-weighted point P with |P -
+  /// c1| / |P - c2| = r1 / r2.
   Vec2<T> position() const { return a + (b - a) * weight; }
 };
 
@@ -48,15 +47,15 @@ template <class T>
 struct Manifold {
   Vec2<T> normal{};                        ///< unit, from A to B
   SmallVector<ContactPoint<T>, 2> points;  ///< at most two
-  std::uint32_t piece_a = 0, piece_b = 0;  ///< which child or piece of the outermost shape touches, else 0
-  Status status = Status::converged;       ///< `bounded` where the distance of the two is not proven
-  T error{};                               ///< by how much distances of points may then be off
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< the child or piece of the outermost shape that touches, else 0
+  Status status = Status::converged;       ///< `bounded` where the distance of the two pieces is not proven
+  T error{};                               ///< bound on the error of the points' distances where `bounded`
 };
 
 template <class T>
 using Manifolds = std::vector<Manifold<T>>;
 
-/// Keeps the `count` deepest points, in their order; of equally deep ones the first.
+/// Keeps the `count` deepest points, in their order; the first of equally deep ones.
 template <class T>
 GRAZE_API void reduce(Manifold<T>& manifold, std::size_t count);
 
@@ -71,8 +70,8 @@ GRAZE_API Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const 
                                Trace* trace = nullptr);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart, one for each pair of convex
-/// pieces; of polygons and chains one for pieces side by side that share a normal, along normals of their outlines.
-/// Returns whether the shapes overlap (distance <= 0, whatever the margin, and whichever side of a chain it is).
+/// pieces; for polygons and chains one for all pieces side by side that share a normal, along normals of their
+/// outlines. Returns whether the shapes overlap (distance <= 0, whatever the margin, and on either side of a chain).
 ///
 /// Where two edges face each other, a manifold has a point at both ends of the stretch that they share; its feature
 /// names the vertices of both edges at that end, so that it is the same whichever edge ends first, and mirrored when
@@ -84,8 +83,8 @@ GRAZE_API bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T
                         Manifolds<T>& manifolds, Trace* trace = nullptr);
 
 /// A margin for `contacts` with which a body at rest keeps its points from frame to frame: a hundredth of the smaller
-/// shape (the radius about its own origin; of a compound half the diagonal of its bounds). A half-plane has no size:
-/// the other shape decides, and of two half-planes the margin is 0.
+/// shape (the radius about its own origin; for a compound half the diagonal of its bounds). A half-plane has no size:
+/// the other shape decides, and for two half-planes the margin is 0.
 template <class T>
 GRAZE_API T contact_margin(const Shape<T>& a, const Shape<T>& b);
 
@@ -94,12 +93,13 @@ template <class T>
 struct Closest {
   T distance{};      ///< signed: negative inside a solid
   Vec2<T> point{};   ///< on the surface
-  Vec2<T> normal{};  ///< unit, outward: question - point = distance * normal
+  Vec2<T> normal{};  ///< unit, outward: the queried point - point = distance * normal
   Status status = Status::converged;
-  T error{};  ///< as for `Distance`
+  T error{};  ///< as in `Distance`
 };
 
-/// The point of the shape's surface nearest to `point`, and the signed distance to it; `trace` is filled.
+/// The point of the shape's surface nearest to `point`, and the signed distance to it. A `trace` is filled after the
+/// answer.
 template <class T>
 GRAZE_API Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace = nullptr);
 

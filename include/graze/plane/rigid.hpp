@@ -1,4 +1,4 @@
-// How bodies of the plane turn, and what resists that: the trait `graze::Rigid` of two dimensions.
+// The trait `graze::Rigid` of two dimensions: rotations and inertias are numbers.
 #pragma once
 
 #include "graze/plane/dynamics.hpp"
@@ -13,15 +13,15 @@ namespace plane {
 /// The inverse of a body's mass and of its inertia about the centre of mass. By default immovable.
 template <class T>
 struct InverseMass {
-  T mass{}, inertia{};  ///< inverse; 0 for what no blow moves
+  T mass{}, inertia{};  ///< inverse mass and inertia; 0 for an immovable body
 
-  /// Whether a blow moves it.
+  /// Whether an impulse changes the body's motion.
   bool movable() const { return mass > T(0); }
 };
 
 }  // namespace plane
 
-/// The words of motion in the plane.
+/// The types of rigid body motion in the plane.
 template <class T>
 struct Rigid<plane::Space<T>> {
   using Rotation = plane::Rot2<T>;

@@ -1,7 +1,7 @@
-// A shape of the plane: one value that is any of the shapes there are, with its rounding radius.
+// Shapes of the plane: one value type for all kinds, with a rounding radius.
 //
 // Guarantee: a value, immutable once built, cheap to copy, safe to read from any thread. `ShapeList` is the one list of
-// shapes: a shape that stands in it takes part in every query, and one without a core (`src/plane/core.hpp`) does not
+// shapes: a shape listed there takes part in every query, and one without a core (`src/plane/core.hpp`) does not
 // compile.
 #pragma once
 
@@ -19,16 +19,16 @@
 
 namespace graze::plane {
 
-/// All shapes of the plane.
+/// All kinds of shapes of the plane.
 template <class T>
 using ShapeList = std::variant<Circle<T>, Capsule<T>, Box<T>, Segment<T>, ConvexPolygon<T>, Ellipse<T>, UserConvex<T>,
                                HalfPlane<T>, Polygon<T>, Chain<T>, Compound<T>>;
 
-/// Any shape of the plane, with its rounding: a value.
+/// A shape of the plane of any kind, with its rounding: a value.
 template <class T>
 class Shape {
  public:
-  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< how many kinds there are
+  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< number of kinds
 
   /// `concrete`, rounded by `rounding`: the Minkowski sum with a disc of that radius. Throws `InvalidValue` for a
   /// rounding that is negative, larger than `largest_magnitude`, or given to a compound.
@@ -40,21 +40,21 @@ class Shape {
         validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
   }
 
-  /// The radius of the ball that is added to it.
+  /// The rounding radius: that of the disc in the Minkowski sum.
   T rounding() const { return rounding_; }
-  /// The shape's place in `ShapeList`.
+  /// The kind of the shape: its index in `ShapeList`.
   std::size_t index() const { return list_.index(); }
-  /// What the kind is called in files and messages.
+  /// The name of the kind in files and messages.
   const char* name() const {
     return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
   }
 
-  /// The concrete shape, or null when it is another.
+  /// The shape as `C`, or null when it is of another kind.
   template <class C>
   const C* as() const {
     return std::get_if<C>(&list_);
   }
-  /// Calls `f` with the concrete shape.
+  /// Calls `f` with the shape as an object of the class of its kind.
   template <class F>
   decltype(auto) visit(F&& f) const {
     return visit_from<0>(std::forward<F>(f));
@@ -79,14 +79,15 @@ class Shape {
 using Shapef = Shape<float>;
 using Shaped = Shape<double>;
 
-/// A shape and where it stands.
+/// A shape in place.
 template <class T>
 struct Placed {
-  Shape<T> shape;   ///< the shape; of a reference, one that outlives it
-  Pose2<T> pose{};  ///< where it stands
+  Shape<T> shape;   ///< the shape
+  Pose2<T> pose{};  ///< pose of the shape's frame
 };
 
-/// How far a shape reaches from its own origin, rounding included. Zero for a half-plane without rounding.
+/// The largest distance of a shape's points from its own origin, rounding included. Zero for a half-plane without
+/// rounding.
 template <class T>
 T extent(const Shape<T>& shape) {
   return shape.visit([](const auto& c) { return c.core_extent(); }) + shape.rounding();

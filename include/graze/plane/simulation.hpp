@@ -1,9 +1,9 @@
 // A simulation of the plane: `graze::Simulation` (`graze/simulation.hpp`) with bodies of two dimensions.
 //
 // Guarantee: that of `graze::Simulation`, whose code it is, over the trait of this space: the same bits for any
-// executor and after `restore`, no length, speed or time built in, and nothing changed by what throws. All that is said
-// there of masses, materials, joints, sleep, continuous collision and reports holds here, in the words of the plane.
-// Free bodies fall and turn exactly up to rounding.
+// executor and after `restore`, no length, speed or time built in, and nothing changed by a call that throws. The
+// documentation there of masses, materials, joints, sleep, continuous collision and reports holds here, with the types
+// of the plane. Free bodies fall and turn exactly up to rounding.
 //
 //     graze::plane::Simulation<float> simulation;
 //     graze::plane::Body<float> ground{graze::plane::HalfPlane<float>()};
@@ -20,10 +20,11 @@
 
 namespace graze::plane {
 
-/// Gravity is (0, -9.81) where nothing else is said.
+/// Settings of a simulation of the plane. Gravity is (0, -9.81) by default.
 template <class T>
 using SimulationSettings = graze::SimulationSettings<T, Space<T>>;
-/// The velocity of a conveyor's surface is a vector in the body's frame, of which the part along the surface counts.
+/// The material of a surface. The velocity of a conveyor's surface is a vector in the body's frame, of which the part
+/// along the surface counts.
 template <class T>
 using Material = graze::Material<T, Vec2<T>>;
 template <class T>

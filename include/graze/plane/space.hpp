@@ -1,4 +1,4 @@
-// The plane as a world knows it: the trait `graze::Space` of two dimensions.
+// The trait `graze::Space` of two dimensions.
 #pragma once
 
 #include "graze/aabb.hpp"
@@ -7,14 +7,14 @@
 
 namespace graze::plane {
 
-/// A shape in place, both of them somebody else's.
+/// A shape in place, by reference.
 template <class T>
 struct PlacedRef {
-  const Shape<T>* shape;  ///< the shape, which outlives the reference
-  const Pose2<T>* pose;   ///< where it stands
+  const Shape<T>* shape;  ///< the shape, which must outlive the reference
+  const Pose2<T>* pose;   ///< its pose, which must outlive the reference
 };
 
-/// What a world asks of the number of dimensions: here two.
+/// The trait of the plane.
 template <class T>
 struct GRAZE_API Space {
   using Vec = Vec2<T>;
@@ -28,35 +28,36 @@ struct GRAZE_API Space {
   using Manifold = plane::Manifold<T>;
   using Ray = plane::Ray<T>;
   using RayHit = plane::RayHit<T>;
-  struct BackFaces {};  ///< a ray of the plane meets both sides of what has no inside
+  struct BackFaces {};  ///< none: a ray of the plane meets both sides of shapes without an inside
   using Velocity = plane::Velocity<T>;
   using CastHit = plane::CastHit<T>;
 
-  /// The seams between fixed bodies are felt; those within a polygon or a chain are not.
+  /// Whether bodies that move over fixed bodies side by side meet these as if they were one: no, seams are felt between
+  /// fixed bodies, though not within a polygon or a chain.
   static constexpr bool joins_fixed = false;
 
-  /// A shape for places that no body has.
+  /// Placeholder shape at an index whose body is gone.
   static Shape nothing() { return Circle<T>(T(0)); }
 
-  /// What bounds the shape under a pose.
+  /// The bounds of a shape under a pose.
   static Aabb<T> bounds(const Shape& shape, const Pose& pose) { return flat(plane::bounds(shape, pose)); }
-  /// What bounds the shape while it turns so fast.
+  /// The bounds of a shape at a pose, or, with an angular velocity, of all orientations that it may come to.
   static Aabb<T> bounds_turning(const Shape& shape, const Pose& pose, const Turning& angular);
-  /// A vector of the plane among the boxes of the broad phase, which are flat.
+  /// A vector of the plane in the space of the broad phase's boxes, which are flat.
   static Vec3<T> among_boxes(const Vec& v) { return {v.x, v.y, T(0)}; }
-  /// How fast a point of the shape moves by this turning, at most.
+  /// An upper bound of the speed of any point of a shape due to its rotation.
   static T speed_of_turning(const Shape& shape, const Turning& angular);
 
-  /// As `graze::Space`, with "pose.rotation" for a rotation that is not finite or zero.
+  /// The pose, checked as by `graze::Space`. An error for a rotation that is not finite or zero names "pose.rotation".
   static Pose checked(const Pose& pose);
   /// Throws `InvalidValue` for velocities that are not finite or too large.
   static void check(const Vec& linear, const Turning& angular);
 
-  /// As `graze::plane::raycast`.
+  /// The query `graze::plane::raycast`.
   static std::optional<RayHit> raycast(const Shape& shape, const Pose& pose, const Ray& ray, T length, BackFaces) {
     return plane::raycast(shape, pose, ray, length);
   }
-  /// As `graze::plane::cast`.
+  /// The query `graze::plane::cast`.
   static std::optional<CastHit> cast(const Shape& a, const Pose& pose_a, const Velocity& velocity_a, const Shape& b,
                                      const Pose& pose_b, const Velocity& velocity_b, T duration,
                                      const CastOptions& options) {

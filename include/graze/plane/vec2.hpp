@@ -1,6 +1,6 @@
 // Vectors of the plane.
 //
-// Guarantee: as `vec3.hpp`: branch-free arithmetic in IEEE-exact operations (+ - * / sqrt), in the order written.
+// Guarantee: that of `vec3.hpp`: branch-free arithmetic in IEEE-exact operations (+ - * / sqrt), in the order written.
 #pragma once
 
 #include <limits>
@@ -34,7 +34,7 @@ struct Vec2 {
 using Vec2f = Vec2<float>;
 using Vec2d = Vec2<double>;
 
-/// x x + y y.
+/// The dot product.
 template <class T>
 constexpr T dot(const Vec2<T>& a, const Vec2<T>& b) {
   return a.x * b.x + a.y * b.y;
@@ -46,18 +46,18 @@ constexpr T cross(const Vec2<T>& a, const Vec2<T>& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// `v` turned by a quarter to the left, and to the right.
+/// The vector turned by a quarter counter-clockwise.
 template <class T>
 constexpr Vec2<T> left(const Vec2<T>& v) {
   return {-v.y, v.x};
 }
-/// Turned by a quarter, clockwise.
+/// The vector turned by a quarter clockwise.
 template <class T>
 constexpr Vec2<T> right(const Vec2<T>& v) {
   return {v.y, -v.x};
 }
 
-/// The length times itself, without a root.
+/// The squared length, without a root.
 template <class T>
 constexpr T length_squared(const Vec2<T>& v) {
   return dot(v, v);
@@ -70,19 +70,19 @@ T length(const Vec2<T>& v) {
   return sqrt(dot(v, v));
 }
 
-/// Coordinate by coordinate.
+/// The absolute value of each coordinate.
 template <class T>
 Vec2<T> abs(const Vec2<T>& v) {
   using std::abs;
   return {abs(v.x), abs(v.y)};
 }
 
-/// Coordinate by coordinate.
+/// The smaller of each coordinate.
 template <class T>
 constexpr Vec2<T> least(const Vec2<T>& a, const Vec2<T>& b) {
   return {least(a.x, b.x), least(a.y, b.y)};
 }
-/// Coordinate by coordinate.
+/// The larger of each coordinate.
 template <class T>
 constexpr Vec2<T> greatest(const Vec2<T>& a, const Vec2<T>& b) {
   return {greatest(a.x, b.x), greatest(a.y, b.y)};
@@ -94,7 +94,7 @@ constexpr Vec2<T> select(const M& condition, const Vec2<T>& yes, const Vec2<T>& 
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y)};
 }
 
-/// The largest absolute coordinate: the size that tolerances refer to.
+/// The largest absolute coordinate: the size to which tolerances are relative.
 template <class T>
 T max_abs(const Vec2<T>& v) {
   const Vec2<T> a = abs(v);
@@ -107,12 +107,12 @@ constexpr Vec2<S> converted(const Vec2<T>& v) {
   return {static_cast<S>(v.x), static_cast<S>(v.y)};
 }
 
-/// `v` scaled to unit length; the given unit vector `fallback` where `v` is zero. Where a square under- or overflows,
-/// divides by the largest component first.
+/// `v` scaled to unit length; the given unit vector `fallback` where `v` is zero. Divides by the largest component
+/// first where a square under- or overflows.
 template <class T>
 Vec2<T> normalized(const Vec2<T>& v, const Vec2<T>& fallback = {T(0), T(1)}) {
   using std::sqrt;
-  // Underflow leaves out of a square from there on only what is below its rounding.
+  // From here on, underflow takes from a square only digits below its rounding.
   constexpr T least_square = (std::numeric_limits<T>::min)() / std::numeric_limits<T>::epsilon();
   if (const T square = length_squared(v); square >= least_square && square <= (std::numeric_limits<T>::max)())
     return v / sqrt(square);

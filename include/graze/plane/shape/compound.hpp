@@ -1,7 +1,7 @@
 // Several shapes of the plane that move as one, nested as wished.
 //
-// Guarantee: shared and immutable, so that copies are cheap and queries from any thread are safe. The children keep the
-// order in which they were given.
+// Guarantee: shared and immutable, so that copies are cheap and queries from any thread are safe. The children keep
+// their given order.
 #pragma once
 
 #include <memory>
@@ -21,10 +21,10 @@ class GRAZE_API Compound {
  public:
   static constexpr const char* name = "compound";
 
-  /// At least one child, each at its pose in the compound's frame. Throws `InvalidValue`.
+  /// A compound of at least one child, each at its pose in the compound's frame. Throws `InvalidValue`.
   explicit Compound(std::vector<Placed<T>> children);
 
-  std::span<const Placed<T>> children() const;  ///< the children in their places
+  std::span<const Placed<T>> children() const;  ///< the children in place
   T core_extent() const { return extent_; }
 
  private:

@@ -17,7 +17,7 @@ namespace graze::plane {
 
 namespace detail {
 
-/// A point with coordinates up to `largest_magnitude`; else an error that names `path`.
+/// A point with coordinates up to `largest_magnitude`, returned unchanged. Throws `InvalidValue` with `path`.
 template <class T>
 Vec2<T> checked_point(const Vec2<T>& v, const std::string& path) {
   if (const char* expectation = validate::fault_of_coordinate(v.x))
@@ -35,7 +35,7 @@ class Box {
  public:
   static constexpr const char* name = "box";
 
-  /// `size`: the full edge lengths, each >= 0.
+  /// A box of `size`: the full edge lengths, each >= 0.
   explicit Box(const Vec2<T>& size)
       : half_{validate::extent(size.x, "size[0]") / T(2), validate::extent(size.y, "size[1]") / T(2)} {}
 
@@ -47,19 +47,19 @@ class Box {
   Vec2<T> half_;
 };
 
-/// The straight piece between two points, both included; a point when they are equal.
+/// The segment between two points, both included; a point when they are equal.
 template <class T>
 class Segment {
  public:
   static constexpr const char* name = "segment";
 
-  /// From `a` to `b`.
+  /// The segment from `a` to `b`.
   Segment(const Vec2<T>& a, const Vec2<T>& b)
       : a_(detail::checked_point(a, "points[0]")), b_(detail::checked_point(b, "points[1]")) {}
 
-  /// Where it begins.
+  /// The first end.
   const Vec2<T>& a() const { return a_; }
-  /// Where it ends.
+  /// The second end.
   const Vec2<T>& b() const { return b_; }
   T core_extent() const { return greatest(length(a_), length(b_)); }
 
@@ -67,17 +67,17 @@ class Segment {
   Vec2<T> a_, b_;
 };
 
-/// A convex polygon of any number of vertices; a point or a segment where all its points lie so. Up to eight vertices
-/// are held in place, more are shared between copies.
+/// A convex polygon of any number of vertices; a segment or a point where all its vertices coincide or are collinear.
+/// Up to eight vertices are stored in place, more are shared between copies.
 template <class T>
 class GRAZE_API ConvexPolygon {
  public:
   static constexpr const char* name = "convex";
-  /// Corners that stand in the shape itself; more are shared by its copies.
+  /// Number of vertices stored in the shape itself; more are shared by its copies.
   static constexpr std::size_t in_place = 8;
 
-  /// The convex hull of at least one point, in any order; points that lie inside, on edges or upon each other are left
-  /// out. Exact: which side of a line a point lies on is decided without rounding. Cost n log n.
+  /// The convex hull of at least one point, in any order; points inside, on edges and duplicates are left out. Exact:
+  /// the side of a line that a point lies on is decided without rounding. Cost n log n.
   explicit ConvexPolygon(std::span<const Vec2<T>> points);
 
   /// The vertices of the hull, counter-clockwise from the lowest (of two, the one on the left).

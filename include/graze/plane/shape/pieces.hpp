@@ -1,6 +1,6 @@
-// The convex pieces of a solid polygon or of a chain, with what surrounds each on the outline.
+// The convex pieces of a solid polygon or of a chain, each with its surroundings on the outline.
 //
-// Guarantee: pieces keep their order; a search by place costs log n, where neighbours in order are neighbours in place.
+// Guarantee: pieces keep their order; a spatial search costs log n where neighbours in order are neighbours in place.
 #pragma once
 
 #include <cstdint>
@@ -11,44 +11,44 @@
 
 namespace graze::plane {
 
-/// The outline about vertex i of a piece, and whether the piece's edge from it belongs to the outline. The outline's
-/// outside lies to the right of its edges.
+/// The outline around vertex i of a piece, and whether the piece's edge from it belongs to the outline. The outside
+/// lies to the right of the outline's edges.
 struct OutlineVertex {
-  /// What stands at a vertex of the outline.
+  /// Kind of a vertex of the outline.
   enum class Kind : std::uint8_t {
     convex,  ///< its normals are those between the normals of the two edges
-    reflex,  ///< nothing outside is nearest to it alone
-    first,   ///< where an open chain begins
-    last,    ///< and where it ends
+    reflex,  ///< no outside point has it alone as its nearest one
+    first,   ///< beginning of an open chain
+    last,    ///< end of an open chain
   };
   Vec2d arriving{}, leaving{};  ///< unit vectors along the edges that end and begin here
-  Kind kind = Kind::convex;     ///< what stands there
+  Kind kind = Kind::convex;     ///< kind of the vertex
   bool outer = true;            ///< whether edge i of the piece is an edge of the outline
-  std::uint32_t number = 0;     ///< of the vertex on the outline
+  std::uint32_t number = 0;     ///< number of the vertex on the outline
 };
 
 /// The convex pieces of an outline.
 template <class T>
 class GRAZE_API Pieces {
  public:
-  /// Appends a piece: its vertices counter-clockwise, and the outline about each. `outline` is empty or as long, or
-  /// for a chain's segment twice as long: seen from the right, and then from the left.
+  /// Appends a piece: its vertices counter-clockwise, and the outline around each. `outline` is empty or as long as
+  /// `vertices`, or for a chain's segment twice as long: seen from the right, and then from the left.
   void add(std::span<const Vec2<T>> vertices, std::span<const OutlineVertex> outline);
-  /// To be called once, after the last piece.
+  /// Builds the search tree. To be called once, after the last piece.
   void build();
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(first_.size()); }
-  /// Of one piece, counter-clockwise.
+  /// The vertices of one piece, counter-clockwise.
   std::span<const Vec2<T>> vertices(std::uint32_t piece) const {
     return std::span(vertices_).subspan(first_[piece], end(piece) - first_[piece]);
   }
-  /// What the vertices of one piece are in the outline.
+  /// The outline around the vertices of one piece.
   const OutlineVertex* outline(std::uint32_t piece) const { return outline_.data() + first_outline_[piece]; }
 
-  /// The corners of the whole outline in their order. Those on straight lines were left out when it was cut.
+  /// The corners of the whole outline in their order, without those on straight lines, which the cutting leaves out.
   std::vector<Vec2<T>> outline_vertices() const;
 
-  /// Calls `f` with every piece in order, but for those in boxes that `wanted` refuses.
+  /// Calls `f` with every piece in order, except for those in boxes that `wanted` refuses.
   template <class Wanted, class F>
   void for_each(const Wanted& wanted, F&& f) const {
     visit(0, 0, size(), wanted, f);
@@ -59,7 +59,7 @@ class GRAZE_API Pieces {
     return piece + 1 < size() ? first_[piece + 1] : static_cast<std::uint32_t>(vertices_.size());
   }
   Aabb2<double> build(std::uint32_t node, std::uint32_t from, std::uint32_t to);
-  /// Node i has the children 2 i + 1 and 2 i + 2, each with half of its pieces.
+  /// Visits the tree below a node. Node i has the children 2 i + 1 and 2 i + 2, each with half of its pieces.
   template <class Wanted, class F>
   void visit(std::uint32_t node, std::uint32_t from, std::uint32_t to, const Wanted& wanted, F&& f) const {
     if (from == to || !wanted(boxes_[node])) return;

@@ -1,7 +1,7 @@
 // The round shapes of the plane: circle, capsule, ellipse.
 //
-// Guarantee: any sizes >= 0; a zero one makes what geometry says (a capsule of no height a circle, an ellipse of one
-// zero radius a segment). Constructors throw `InvalidValue` for all else.
+// Guarantee: any sizes >= 0; a zero one degenerates the shape (a capsule of zero height to a circle, an ellipse with a
+// zero radius to a segment). Constructors throw `InvalidValue` for other numbers.
 #pragma once
 
 #include "graze/plane/vec2.hpp"
@@ -15,7 +15,7 @@ class Circle {
  public:
   static constexpr const char* name = "circle";
 
-  /// Throws `InvalidValue` for a radius that is negative, not finite or too large.
+  /// A disc of `radius`. Throws `InvalidValue` if it is negative, not finite or too large.
   explicit Circle(T radius) : radius_(validate::extent(radius, "radius")) {}
 
   /// The radius.
@@ -33,12 +33,12 @@ class Capsule {
  public:
   static constexpr const char* name = "capsule";
 
-  /// `height` between the centres of the discs, which lie on the Y axis about the origin.
+  /// A capsule with `height` between the centres of the discs, which lie on the Y axis about the origin.
   Capsule(T height, T radius_bottom, T radius_top)
       : half_height_(validate::extent(height, "height") / T(2)),
         radius_bottom_(validate::extent(radius_bottom, "radiusBottom")),
         radius_top_(validate::extent(radius_top, "radiusTop")) {}
-  /// Both circles of one radius.
+  /// An untapered capsule: both discs have one radius.
   Capsule(T height, T radius) : Capsule(height, radius, radius) {}
 
   /// Half of the height, along Y.
@@ -61,11 +61,11 @@ class Ellipse {
  public:
   static constexpr const char* name = "ellipse";
 
-  /// `radii` along the axes.
+  /// An ellipse with `radii` along the axes.
   explicit Ellipse(const Vec2<T>& radii)
       : radii_{validate::extent(radii.x, "radii[0]"), validate::extent(radii.y, "radii[1]")} {}
 
-  /// Along X, Y and, in space, Z.
+  /// The radii along X and Y.
   const Vec2<T>& radii() const { return radii_; }
   T core_extent() const { return max_abs(radii_); }
 

@@ -1,7 +1,7 @@
 // A convex shape of the user's own in the plane, given by its support function.
 //
-// Guarantee: takes part in every query that any convex shape does. Answers are as right as the support function: it
-// must return a point of the shape that lies furthest along the direction, and the same one whenever asked again.
+// Guarantee: takes part in every query that any convex shape does. Answers are as accurate as the support function: it
+// must return a point of the shape that lies furthest along the direction, and the same one for equal directions.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ class GRAZE_API SupportFunction {
   virtual Vec2<T> support(const Vec2<T>& direction) const = 0;
 };
 
-/// A convex shape of the plane that is known by its support function.
+/// A convex shape of the plane that is given by its support function.
 template <class T>
 class UserConvex {
  public:
