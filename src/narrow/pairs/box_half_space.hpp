@@ -1,8 +1,8 @@
 // A box on a half-space: the corners of its support face, each with its own height, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit, and the
-// lowest point's; the face, edge or corner is the one that `Box::core_face` gives, up to rounding of what it leans, in
-// its order. There is a point where the distance is within the margin, and only there.
+// lowest point's; the support face is the one that `Box::core_face` gives, up to rounding of its lean, with its
+// vertices in that order. There are points exactly where the distance is within the margin.
 #pragma once
 
 #include "narrow/pairs/box_box/clip_faces.hpp"
@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// A box that is not rounded. `plane` is the height of the half-space's surface in its own frame; points up to `margin`
-/// above it.
+/// The contacts of a box without rounding. `plane` is the height of the half-space's surface in its own frame; points
+/// are found up to `margin` above it.
 template <class S>
 Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& plane, const Pose<S>& plane_pose,
              const S& margin) {
@@ -29,7 +29,7 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
   found.distance = transform(seen, lowest).y - plane;
   found.up = rotate(plane_pose.rotation, plane_up);
 
-  // The axes of the box turned until the one that its lowest face lies across comes last.
+  // The axes of the box permuted until the one normal to its lowest face comes last.
   const auto face = AxisPermutation<S>::longest(down);
   const Vec3<S> d = face.turned(down), half = face.turned(half_extents), bits = face.turned(Vec3<S>{one, S(2), S(4)});
   const Mat3<S> turn = rotation_of(pose.rotation);
@@ -40,7 +40,7 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
   };
   const Mask flat_u = flat(d.x, half.x), flat_v = flat(d.y, half.y), both = flat_u & flat_v;
   const Mask at_u = d.x >= zero, at_v = d.y >= zero, forward = d.z >= zero;
-  // Around the face as its axes are right-handed; along an edge as it points.
+  // Order of the vertices: around the face as its axes are right-handed; along an edge as it points.
   const Mask all = zero == zero,  // NOLINT(misc-redundant-expression): true in every lane
       any_flat = flat_u | flat_v, behind = !forward;
   const Mask first_u = at_u & (!flat_u), first_v = at_v & (!flat_v);
@@ -49,7 +49,7 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
   const Mask is[] = {all, any_flat, both, both}, upper_u[] = {first_u, second_u, all, behind},
              upper_v[] = {first_v, second_v, all, forward};
   const S front = select(forward, half.z, -half.z);
-  // What lies as near as the lowest corner up to rounding is kept with it: a face that touches touches whole.
+  // Corners level with the lowest up to rounding are kept with it, so that a face that touches touches whole.
   const S noise = S(box_rounding<T>) * (length(half_extents) + max_abs(seen.translation)),
           limit = greatest(margin, found.distance + noise), lowest_along = dot(d, face.turned(lowest));
   const Mask near = found.distance <= margin;
@@ -60,7 +60,7 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
     slot.distance = found.distance + (lowest_along - dot(d, corner));
     slot.of_body = pose.translation + Vec3<S>{dot(wx, corner), dot(wy, corner), dot(wz, corner)};
     slot.of_plane = slot.of_body - found.up * slot.distance;
-    // Both ends of a side of no length are one corner, with one number.
+    // Both ends of a side of zero length are one corner, with one number.
     slot.corner = select(upper_u[i] & (half.x > zero), bits.x, zero) +
                   select(upper_v[i] & (half.y > zero), bits.y, zero) + select(forward, bits.z, zero);
     found.filled = found.filled + select(near & is[i] & (slot.distance <= limit), S(T(1 << i)), zero);

@@ -1,7 +1,7 @@
-// A capsule and a box that touch: an end of the capsule, its side across an edge of the box, or its side on a face.
+// Contacts of a capsule and a box: an end of the capsule, its side across an edge of the box, or its side on a face.
 //
 // Guarantee: in every lane the bits that the pair gives alone: the distance is that of `distance`, and the points and
-// names are those that the faces give.
+// features are those of clipped faces.
 #pragma once
 
 #include "narrow/batch/one_contacts.hpp"
@@ -10,7 +10,7 @@
 
 namespace graze {
 
-/// What of the box its closest point lies on; `near_other` as for `box_part`.
+/// The part of the box that its closest point lies on; `near_other` as for `box_part`.
 template <class S>
 S box_part_at(const PlacedBox<S>& box, const CoreDistance<S>& at, const S& near_other) {
   const Mat3<S> turn = rotation_of(box.pose.rotation);
@@ -18,8 +18,8 @@ S box_part_at(const PlacedBox<S>& box, const CoreDistance<S>& at, const S& near_
                          transposed_times(turn, at.b + at.normal * box.radius - box.pose.translation), near_other);
 }
 
-/// What `at` is where: only for capsules with a length, and boxes with one along every side. Up to `limit` apart it is
-/// asked whether the side lies on the box.
+/// The contact at the closest points. Only for capsules with a length, and boxes with one along every side. Pairs up to
+/// `limit` apart are classified: whether the capsule's side lies on the box.
 template <class S>
 RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const BoxDistance<S>& found,
                                     const S& limit) {
@@ -33,17 +33,17 @@ RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox
 
 namespace round {
 
-/// A capsule before the face of a box that leans least from the normal, seen from that face: its axis comes last and
-/// points out of the box.
+/// A capsule in front of the face of a box that leans least from the normal, in coordinates of that face: its axis
+/// comes last and points out of the box.
 template <class S>
 struct CapsuleOnFace {
   using Mask = decltype(S() < S());
 
-  Vec3<S> half;          ///< of the box
-  Vec3<S> middle, axis;  ///< of the capsule
-  Vec3<S> toward;        ///< against the normal
-  Vec3<S> outward;       ///< of the face, in the world
-  S part;                ///< of the face
+  Vec3<S> half;          ///< half extents of the box
+  Vec3<S> middle, axis;  ///< centre and axis of the capsule
+  Vec3<S> toward;        ///< the opposite of the normal
+  Vec3<S> outward;       ///< outward normal of the face, in the world
+  S part;                ///< part number of the face
 
   CapsuleOnFace(const PlacedBox<S>& capsule, const Vec3<S>& axis_in_world, const PlacedBox<S>& box,
                 const Vec3<S>& normal) {
@@ -67,8 +67,9 @@ struct CapsuleOnFace {
 
 }  // namespace round
 
-/// Of a capsule whose side lies: its axis cut by the face that it lies on. `at`: the closest points, as rounded to T,
-/// the scalar of the shapes. `margin`: up to where contacts are wanted. Only for those within the margin of each other.
+/// The contacts of a capsule whose side lies on the box: its axis clipped by the face. `at`: the closest points, as
+/// rounded to T, the scalar of the shapes. `margin`: largest distance of contacts. Only for pairs within the margin of
+/// each other.
 template <class T, class S>
 SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const CoreDistance<S>& at,
                                const S& margin) {
@@ -80,7 +81,7 @@ SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& 
   const round::CapsuleOnFace<S> on(capsule, axis, box, at.normal);
   const Vec3<S>&h = on.half, &m = on.middle, &c = on.axis;
 
-  // As the general path does, along the face's normal where that shows about the whole distance.
+  // Along the face's normal where that shows about the whole distance, as on the general path.
   const S size_a = half + capsule.radius, size_b = length(box.half) + box.radius, smaller = least(size_a, size_b);
   const S nearest = at.distance - S(Lane(face_preference)) * smaller;
   const Vec3<S> lean = on.toward - Vec3<S>{zero, zero, one};
@@ -127,12 +128,12 @@ SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& 
     const S part_b = box_part_at(box, at, there.near_end());
     round::put_closest(found, faces, at, feature_place(part_a, part_b));
   }
-  // A rounded box is known over its face only.
+  // For a rounded box only contacts over its face are known.
   found.filled = select(by_face | (box.radius == zero), found.filled, zero);
   return found;
 }
 
-/// In double, as the distance.
+/// The contact, computed in double as the distance is.
 template <class T>
 RoundContact<T> round_contact(const Rounded<AxisCore<T>, T>& a, const Pose<T>& pose_a, const Rounded<BoxCore<T>, T>& b,
                               const Pose<T>& pose_b, const T& margin) {

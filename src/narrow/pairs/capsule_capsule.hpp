@@ -1,4 +1,4 @@
-// Capsule against capsule: the nearest points of two segments, or two points where they lie along each other.
+// Capsule against capsule: the nearest points of two segments, or two points for capsules side by side.
 #pragma once
 
 #include "narrow/pairs/one_contact_pair.hpp"

@@ -1,4 +1,4 @@
-// Capsule against rectangle: as against a box of no thickness.
+// Capsule against rectangle, which is a box of zero thickness.
 #pragma once
 
 #include "narrow/batch/pair_kernels.hpp"

@@ -1,16 +1,16 @@
 // Untapered capsule against triangle: an end of the capsule, or its side across an edge of the triangle, across lanes,
 // in double.
 //
-// Guarantee: an answer is known only with its proof, a plane between the cores as far from both as it says. `distance`,
-// `overlap` and `contacts` take theirs from here, so that they agree on what touches, of one pair or of many. Where the
-// cores meet or about do, and of slivers, the general path answers.
+// Guarantee: an answer is known only with its proof, a plane that separates the cores by the distance found.
+// `distance`, `overlap` and `contacts` share this answer, so that they agree on touching, for one pair and for many.
+// Where the cores about meet, and for slivers, the general path answers.
 #pragma once
 
 #include "narrow/pairs/sphere_triangle_distance.hpp"
 
 namespace graze {
 
-/// All but what is known has a meaning only where that is.
+/// The closest points of an untapered capsule and a triangle. Results are meaningful only where they are known.
 template <class S>
 class CapsuleAndTriangle {
   using Mask = decltype(S() < S());
@@ -31,25 +31,25 @@ class CapsuleAndTriangle {
 
   Mask known() const { return near_.known; }
   CoreDistance<S> distance() const { return pair_.in_world(axis_ * along_, near_); }
-  /// Whether they touch in one point at most: that of an end which the general path sees alone.
+  /// Whether the two touch in one point at most: at an end of the capsule, where the general path finds one point too.
   Mask one_point() const {
     using std::abs;
     return abs(rise_of(near_)) > S(face_lean<double>);
   }
-  /// What touches, of the capsule and of the triangle.
+  /// The parts of the capsule and of the triangle that touch.
   S part() const { return select(rise_of(near_) < S(0), S(1), S(0)); }
   S triangle_part() const { return pair_.triangle.part(near_.place, near_.outward); }
 
  private:
-  /// A place of the axis that may be the nearest one.
+  /// A candidate for the nearest point of the axis.
   struct Place {
     S along;
     NearTriangle<S> near;
   };
 
-  /// How the axis rises from the triangle.
+  /// The slope of the axis over the triangle.
   S rise_of(const NearTriangle<S>& near) const { return dot(axis_, pair_.turn * near.outward); }
-  /// An end from whose place on the triangle the rest of the capsule leads further away is what is nearest.
+  /// An end is nearest where the rest of the capsule leads away from its nearest point on the triangle.
   Place at_end(const S& sign) const {
     const S along = half_ * sign;
     NearTriangle<S> near = pair_.nearest_to(axis_ * along);
@@ -61,7 +61,7 @@ class CapsuleAndTriangle {
         pair_.seen_by_triangle(axis_ * -half_), transposed_times(pair_.turn, axis_ * (S(2) * half_)), pair_.noise);
     return {half_ * (S(2) * found.along - S(1)), found.at};
   }
-  /// For the pairs of which nothing is known yet.
+  /// Takes a candidate for the pairs that are not known yet.
   void take(const Place& place) {
     const Mask before = near_.known;
     near_ = select(before, near_, place.near);
@@ -69,7 +69,7 @@ class CapsuleAndTriangle {
   }
 
   RoundAndTriangle<S> pair_;
-  S half_, along_{};  ///< along: where on the axis it is nearest
+  S half_, along_{};  ///< `along_`: position on the axis of the nearest point
   Vec3<S> axis_{};
   NearTriangle<S> near_{};
 };

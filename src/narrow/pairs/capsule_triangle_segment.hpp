@@ -1,7 +1,7 @@
-// An untapered capsule whose side lies on a triangle or along an edge of it, across lanes, in double.
+// Contacts of an untapered capsule whose side lies on a triangle or along an edge of it, across lanes, in double.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The points are those of the general path, up to rounding
-// and under the same names. Of rounded triangles only what lies over the face is known.
+// Guarantee: in every lane the bits that the pair gives alone. The points are those of the general path, up to
+// rounding, with the same features. For rounded triangles only contacts over the face are known.
 #pragma once
 
 #include "narrow/core/answer_rounding.hpp"
@@ -12,17 +12,17 @@ namespace graze {
 
 namespace round {
 
-/// A capsule whose side is what touches.
+/// A capsule whose side touches a triangle.
 template <class S>
 struct CapsuleOnTriangle {
   using Mask = decltype(S() < S());
 
   const RoundAndTriangle<S> pair;
-  const CoreDistance<S>& at;  ///< the closest points, as rounded
+  const CoreDistance<S>& at;  ///< closest points, as rounded
   S half, radii, smaller, noise;
-  Vec3<S> axis;                  ///< of the capsule, in the world
-  Vec3<S> way, middle, outward;  ///< as the triangle sees them: that axis, its middle, and against the normal
-  S facing;                      ///< of that
+  Vec3<S> axis;                  ///< axis of the capsule, in the world
+  Vec3<S> way, middle, outward;  ///< in the triangle's frame: the axis, its middle, and the opposite of the normal
+  S facing;                      ///< cosine between `outward` and the triangle's normal
 
   CapsuleOnTriangle(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
                     const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle,
@@ -42,21 +42,21 @@ struct CapsuleOnTriangle {
     facing = pair.triangle.facing(outward);
   }
 
-  /// The side, seen along a unit vector towards the capsule with which it encloses an angle of cosine `up`.
+  /// The side of the capsule seen along a unit vector towards it, which encloses an angle of cosine `up` with the axis.
   Side<S> side(const S& up) const { return {half, pair.radius_round, -up, S(1) - up * up}; }
-  /// Where along the axis its point of the two that are closest is.
+  /// The position along the axis of the capsule's closest point.
   S closest_along() const { return dot(at.a - at.normal * pair.radius_round - pair.origin, axis); }
   Mask keep(SegmentContact<S>& found, const Mask& first, const Mask& second, const S& margin, double together) const {
     return keep_points(found, first, second, greatest(margin, at.distance + noise), S(together) * smaller,
                        at.distance + S(face_preference) * smaller);
   }
 
-  /// Where it is seen whole: the axis cut by its edges.
+  /// The contacts where the face touches: the axis clipped by the triangle's edges.
   SegmentContact<S> on_face(const S& margin, const Mask& asked, const AnswerRounding& rounded) const {
     using std::abs, std::sqrt;
     const S zero(0), one(1), distance = at.distance;
     const Vec3<S> front = pair.triangle.normal(), face = select(facing > zero, front, -front);
-    // As the general path does, along the face's normal where that shows about the whole distance.
+    // Along the face's normal where that shows about the whole distance, as on the general path.
     const S rise = dot(way, face), height = dot(middle - pair.triangle.point(0), face);
     const Mask by_face = (height - abs(rise) * half - radii >= distance - S(face_preference) * smaller) |
                          (max_abs(outward - face) <= S(rounded.normal));
@@ -101,7 +101,7 @@ struct CapsuleOnTriangle {
     return found;
   }
 
-  /// Where an edge or a vertex of it is what is seen.
+  /// The contacts where an edge or a vertex of the triangle touches.
   SegmentContact<S> along_edge(const S& margin, const AnswerRounding& rounded) const {
     using std::sqrt;
     const TriangleRim<S> rim = pair.triangle.rim(outward);
@@ -120,7 +120,7 @@ struct CapsuleOnTriangle {
     found.normal = at.normal;
     Mask first, second;
     sides.put_ends(pair.origin, S(on_surface) * smaller, place, found, first, second);
-    // As parallel as faces are that are laid over each other.
+    // The angle between edges up to which faces are clipped by each other.
     const S across = dot(cross(axis, edge.axis), at.normal), lean(face_lean<double> * face_lean<double>);
     const Mask parallel = (!rim.pointed) & (across * across <= lean * sides.side_a.seen * sides.side_b.seen);
     const Mask faces = keep(found, first & parallel, second & parallel, margin, rounded.point);
@@ -135,9 +135,9 @@ struct CapsuleOnTriangle {
 
 }  // namespace round
 
-/// Of a capsule whose side touches. `at`: the closest points, as rounded to the scalar of the shapes. `margin`: up to
-/// where contacts are wanted. `lies`: where this is asked, of those within the margin of each other; elsewhere there is
-/// no answer.
+/// The contacts of a capsule whose side touches. `at`: the closest points, as rounded to the scalar of the shapes.
+/// `margin`: largest distance of contacts. `lies`: the lanes to be answered, pairs within the margin of each other;
+/// others have no answer.
 template <class S, class M>
 SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
                                const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle,

@@ -1,4 +1,4 @@
-// A pair of the simplest cores: B's brought to A's frame, and the answer back to the world with the rounding radii on.
+// Pairs of simple cores: B's transformed to A's frame, and the answer back to the world with the rounding radii added.
 #pragma once
 
 #include "graze/result.hpp"
@@ -13,7 +13,8 @@ template <class S>
 PointCore<S> moved(const PointCore<S>& core, const Pose<S>& pose) {
   return {transform(pose, core.point)};
 }
-/// The ends keep the roundings of numbers that may have cancelled: a turn and a sum have some five of them.
+/// The core in another frame. Its ends keep the roundings of numbers that may have cancelled: a rotation and a sum have
+/// some five of them.
 template <class S>
 SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
   const auto& [a, b] = core.segment;
@@ -21,10 +22,10 @@ SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
           core.error + S(8) * epsilon<S> * (max_abs(pose.translation) + greatest(max_abs(a), max_abs(b)))};
 }
 
-/// A core where a pose puts it, in a frame at `offset` from the pose's origin along the world's axes.
+/// A core under a pose, in a frame at `offset` from the pose's origin along the world's axes.
 template <class S>
 PointCore<S> turned(const PointCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
-  // The same bits without the question, since zeros lose their sign: most balls are about their origins.
+  // The shortcut gives the same bits, since zeros lose their sign: most balls are about their origins.
   const Vec3<S> zero{S(0), S(0), S(0)};
   if (is_origin(core.point)) return {offset + zero};
   return {offset + (rotate(rotation, core.point) + zero)};
@@ -40,10 +41,11 @@ auto core_distance(const A& a, const B& b) -> decltype(core_distance(a, b, neare
   return core_distance(a, b, nearest_points(a, b));
 }
 
-/// Two round shapes in a frame at A's origin along the world's axes: their cores turn, and the answer has only to move.
+/// Two spheres or capsules in a frame at A's origin along the world's axes: cores are rotated, and the answer is only
+/// translated.
 template <class A, class B, class S>
 struct SphereCapsulePair {
-  Vec3<S> origin;  ///< of that frame, in the world
+  Vec3<S> origin;  ///< origin of that frame, in the world
   decltype(turned(A(), Quat<S>(), Vec3<S>())) a;
   decltype(turned(B(), Quat<S>(), Vec3<S>())) b;
   S radius_a, radius_b;
@@ -58,19 +60,19 @@ struct SphereCapsulePair {
   S radii() const { return radius_a + radius_b; }
   CorePoints<S> nearest() const { return nearest_points(a, b); }
   CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(a, b, nearest); }
-  /// The same of the rounded shapes, in the world.
+  /// The distance of the rounded shapes, in the world.
   CoreDistance<S> in_world(const CoreDistance<S>& core) const {
     return {core.distance - radii(), core.normal, origin + (core.a + core.normal * radius_a),
             origin + (core.b - core.normal * radius_b)};
   }
 };
 
-/// A ball and a box, whose core is about its own origin: the ball's centre as the box sees it.
+/// A ball and a box, whose core is about its own origin: the ball's centre in the box's frame.
 template <class S>
 struct BallAndBox {
-  Vec3<S> center;  ///< from the box's origin along the world's axes
+  Vec3<S> center;  ///< offset from the box's origin along the world's axes
   Mat3<S> rotation;
-  Vec3<S> origin;  ///< of the box, in the world
+  Vec3<S> origin;  ///< origin of the box, in the world
   PointCore<S> ball;
   BoxCore<S> box;
   S radius_ball, radius_box;
@@ -86,10 +88,10 @@ struct BallAndBox {
         radius_box(of_box.radius) {}
 
   S radii() const { return radius_ball + radius_box; }
-  /// Of the box and the ball, in the box's frame.
+  /// The nearest points of the box and the ball, in the box's frame.
   CorePoints<S> nearest() const { return nearest_points(box, ball); }
   CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(box, ball, nearest); }
-  /// From the rounded ball to the rounded box, in the world.
+  /// The distance from the rounded ball to the rounded box, in the world.
   CoreDistance<S> in_world(const CoreDistance<S>& core) const {
     const Vec3<S> outward = rotation * core.normal;
     return {core.distance - radii(), -outward, origin + (center - outward * radius_ball),
@@ -112,7 +114,7 @@ template <class T>
 Rounded<PointCore<T>, T> rounded_core(const Sphere<T>& sphere, T margin) {
   return {core_of(sphere), rounding_radius(sphere, margin)};
 }
-/// Of an untapered capsule.
+/// The core of an untapered capsule.
 template <class T>
 Rounded<AxisCore<T>, T> rounded_core(const Capsule<T>& capsule, T margin) {
   return {{capsule.half_height()}, rounding_radius(capsule, margin)};
@@ -130,8 +132,8 @@ Rounded<TriangleCore<T>, T> rounded_core(const Triangle<T>& triangle, T margin) 
   return {{{triangle.point(0), triangle.point(1), triangle.point(2)}}, margin};
 }
 
-/// Spheres and untapered capsules with each other, and spheres with boxes, which `sphere_capsule_pair` answers for:
-/// calls the macro `f(A, B)` for each.
+/// Applies the macro `f(A, B)` to the pairs that `sphere_capsule_pair` answers for: spheres and untapered capsules with
+/// each other, and spheres with boxes.
 #define GRAZE_FOR_ROUND_PAIRS(f) f(Sphere, Sphere) f(Sphere, Capsule) f(Sphere, Box) f(Capsule, Capsule)
 
 template <class A, class B>
@@ -143,7 +145,7 @@ inline constexpr bool is_sphere_capsule_pair = false;
 GRAZE_FOR_ROUND_PAIRS(GRAZE_ROUND_PAIR)
 #undef GRAZE_ROUND_PAIR
 
-/// Spheres and untapered capsules with triangles.
+/// Pairs of spheres and untapered capsules with triangles.
 template <class A, class B>
 inline constexpr bool is_sphere_capsule_and_triangle = false;
 template <class T>
@@ -151,7 +153,7 @@ inline constexpr bool is_sphere_capsule_and_triangle<Sphere<T>, Triangle<T>> = t
 template <class T>
 inline constexpr bool is_sphere_capsule_and_triangle<Capsule<T>, Triangle<T>> = true;
 
-/// Adds the rounding radii and takes the answer from A's frame to the world.
+/// The distance of the rounded shapes in the world, from that of the cores in A's frame.
 template <class T>
 Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
   Distance<T> d;
@@ -162,8 +164,8 @@ Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const 
   return d;
 }
 
-/// Number by number from registers: what g++ copies whole it writes aside first, and reading that back by more bytes at
-/// a time than it was written by waits.
+/// Copies number by number from registers: g++ writes an aggregate to the stack first, and wider loads from there stall
+/// store forwarding.
 template <class T>
 void put(const Vec3<T>& from, Vec3<T>& to) {
   to = {from.x, from.y, from.z};
@@ -183,19 +185,19 @@ Distance<T> mirrored(const Distance<T>& d) {
   return {d.distance, -d.normal, {d.b.x, d.b.y, d.b.z}, {d.a.x, d.a.y, d.a.z}, d.status, d.error};
 }
 
-/// How far apart two may be and yet be within the margin once the distance is rounded to T.
+/// The largest distance in S that is within `margin` once it is rounded to T.
 template <class T, class S>
 S before_rounding(const S& margin) {
   return margin * S(1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
 }
 
-/// An answer that was computed in double.
+/// A distance that was computed in double, rounded to T.
 template <class T>
 Distance<T> rounded(const Distance<double>& d) {
   return {static_cast<T>(d.distance), converted<T>(d.normal), converted<T>(d.a), converted<T>(d.b)};
 }
 
-/// The same for what was computed in double: only the answer is rounded to T.
+/// The distance of the rounded shapes, finished in double; only the result is rounded to T.
 template <class T>
 Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Posed& frame) {
   return rounded<T>(finished<double>(core, radius_a, radius_b, frame));

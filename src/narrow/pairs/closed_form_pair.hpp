@@ -1,5 +1,4 @@
-// Pairs whose cores have a signed distance in closed form (`core_distance`): all there is of those that have no form of
-// their own for contacts.
+// Pairs whose cores have a signed distance in closed form (`core_distance`), and no form of their own for contacts.
 #pragma once
 
 #include <optional>
@@ -29,8 +28,8 @@ Distance<T> distance_in_a(const A& core_a, T radius_a, const Pose<T>& pose_a, co
 
 }  // namespace detail
 
-/// The distance by the closed form of the cores, in whichever order they have one; nothing of shapes without such a
-/// core, as tapered capsules are.
+/// The distance by the closed form of the cores, in whichever order there is one; nothing for shapes without such a
+/// core, such as tapered capsules.
 template <class A, class B, class T>
 std::optional<Distance<T>> closed_form_distance(const InPlace<A, T>& a, const InPlace<B, T>& b) {
   if (!has_core(a.shape) || !has_core(b.shape)) return std::nullopt;

@@ -1,4 +1,4 @@
-// The distances of pairs in rows: round shapes and balls with boxes, and all of these and triangles with half-spaces.
+// The distances of pairs in rows: spheres, capsules, balls with boxes, and all of these and triangles with half-spaces.
 #include "narrow/batch/row_answers.hpp"
 #include "narrow/pairs/row_distance.hpp"
 

@@ -1,4 +1,4 @@
-// Half-space against everything: one support point along its normal, or a face of them.
+// Half-space against any shape: one support point along its normal, or its support face.
 #pragma once
 
 #include "graze/geometry.hpp"
@@ -6,7 +6,7 @@
 
 namespace graze {
 
-/// Height of a box's lowest corner above y = 0, by all eight corners.
+/// The height of a box's lowest corner above y = 0, by all eight corners.
 template <class S>
 S lowest_corner(const Vec3<S>& half, const Pose<S>& pose) {
   S lowest(std::numeric_limits<float>::infinity());
@@ -14,14 +14,14 @@ S lowest_corner(const Vec3<S>& half, const Pose<S>& pose) {
   return lowest;
 }
 
-/// The same by the box's projected radius along the normal: sum of half_i |n . axis_i|.
+/// The height of a box's lowest corner, by its projected radius along the normal: sum of half_i |n . axis_i|.
 template <class S>
 S lowest_by_radius(const Vec3<S>& half, const Pose<S>& pose) {
   const Mat3<S> m = rotation_matrix(pose.rotation);
   return pose.translation.y - dot(abs(m.row[1]), half);
 }
 
-// The point of a core that lies furthest along a direction, as `core_support` of the shape that it is left of gives it.
+// The point of a core that lies furthest along a direction, as the shape's `core_support` gives it.
 template <class C, class S>
 Vec3<S> furthest_along(const C& concrete, const Vec3<S>& direction) {
   return concrete.core_support(direction);
@@ -52,7 +52,7 @@ Vec3<S> furthest_along(const TriangleCore<S>& core, const Vec3<S>& direction) {
   return best;
 }
 
-/// The half-space y <= 0 is A; the other shape's core is seen from it. Across lanes too, of cores.
+/// The signed distance of a core B from the half-space y <= 0, which is A; for cores also across lanes.
 template <class C, class S>
 CoreDistance<S> half_space_distance(const C& b, const Pose<S>& b_in_a) {
   const Vec3<S> up{S(0), S(1), S(0)};
@@ -61,8 +61,7 @@ CoreDistance<S> half_space_distance(const C& b, const Pose<S>& b_in_a) {
   return {lowest.y, up, {lowest.x, S(0), lowest.z}, lowest};
 }
 
-/// The gap between the half-space y <= 0 and another that faces it, whose surface stands at height `offset` along its
-/// own normal `n`; nothing when they do not face each other, up to the rounding of their poses.
+/// Whether a half-space with the surface normal `n` faces the half-space y <= 0, up to the rounding of their poses.
 template <class T>
 bool opposite(const Vec3<T>& n) {
   const T slack = T(16) * std::numeric_limits<T>::epsilon();

@@ -1,4 +1,4 @@
-// What rests on a half-space: its points of contact, a slot each, across lanes.
+// Contact points of a shape that rests on a half-space, a slot each, across lanes.
 #pragma once
 
 #include "narrow/core/core.hpp"
@@ -6,7 +6,7 @@
 namespace graze {
 
 inline constexpr std::size_t most_half_space_points = 4;
-/// So many are those of a kind of body at most.
+/// Largest number of points of a kind of shape.
 template <class C>
 inline constexpr std::size_t rest_points_of = most_half_space_points;
 template <class T>
@@ -16,14 +16,14 @@ inline constexpr std::size_t rest_points_of<Capsule<T>> = 2;
 template <class T>
 inline constexpr std::size_t rest_points_of<Triangle<T>> = 3;
 
-/// The points of contact; which of the slots hold one is another matter in every lane.
+/// The points of contact; each lane fills different slots.
 template <class S>
 struct Rest {
   S distance;
   Vec3<S> up;  ///< unit, out of the half-space, in the world
   struct Slot {
     Vec3<S> of_body, of_plane;
-    S distance, corner;  ///< the number of the corner, or of the end of a capsule
+    S distance, corner;  ///< `corner`: number of the corner, or of the end of a capsule
   } slots[most_half_space_points];
   S filled;  ///< slot i holds a point: bit i of this number
 };

@@ -1,8 +1,8 @@
-// Half-space against everything, and the contacts of boxes, triangles, balls and untapered capsules on one: the points
+// Half-space against any shape, and the contacts of boxes, triangles, balls and untapered capsules on one: the points
 // that `rest` finds, as a manifold.
 //
-// Guarantee: the distance is that of `distance`, bit for bit; the points are those that the general path gives, up to
-// rounding, under the same names.
+// Guarantee: the distance is that of `distance`, bit for bit; the points are those of the general path, up to rounding,
+// with the same features.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace graze {
 
-/// Of a body on a half-space: fills the manifold as `convex_contacts`, and returns the distance.
+/// Fills the manifold of a body on a half-space as `convex_contacts` does, and returns the distance.
 template <class C, class T>
 T resting_contacts(const C& body, T margin_body, const Pose<T>& pose_body, T margin_plane, const Pose<T>& pose_plane,
                    T margin, Manifold<T>& manifold) {
@@ -50,7 +50,7 @@ struct OnHalfSpace {
   using B = HalfSpace<T>;
 
   static constexpr bool overlaps_by_distance = true;
-  /// Whether a kind's corners, or the ends of its axis, are all that rests on a plane.
+  /// Whether a kind's contacts are at its corners, or at the ends of its axis.
   template <class T>
   static constexpr bool has_slots = requires(const Kind<T>& shape) {
     points_together(shape, T());
@@ -63,8 +63,8 @@ struct OnHalfSpace {
     else
       return mirrored(finished(half_space_distance(a.shape, relative(b.pose, a.pose)), b.radius(), a.radius(), b.pose));
   }
-  /// Not of a tapered capsule, nor of a rounded box or triangle, whose corners do not lie straight above its lowest
-  /// points.
+  /// The contacts. Nothing for a tapered capsule, nor for a rounded box or triangle, whose corners do not lie straight
+  /// above its lowest points.
   template <class T>
   static std::optional<T> contacts(const InPlace<Kind<T>, T>& a, const InPlace<HalfSpace<T>, T>& b, T margin,
                                    Manifold<T>& manifold) requires has_slots<T> {

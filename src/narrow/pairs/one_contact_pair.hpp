@@ -1,5 +1,5 @@
-// Spheres and untapered capsules with each other, and spheres with boxes: pairs that touch in one point, or in two
-// where capsules lie along each other, with what they have in common.
+// The common part of pairs that touch in one point, or in two where capsules lie side by side: spheres and untapered
+// capsules with each other, and spheres with boxes.
 #pragma once
 
 #include "narrow/batch/one_contacts.hpp"

@@ -1,5 +1,5 @@
-// Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles. And one pair of
-// boxes.
+// Overlap tests of pairs in rows: by their distance, except for balls, boxes, and boxes with triangles. And the test of
+// one pair of boxes.
 #include "narrow/batch/row_answers.hpp"
 #include "narrow/pairs/box_box/overlap.hpp"
 #include "narrow/pairs/box_triangle/overlap.hpp"
@@ -9,7 +9,7 @@ namespace graze::GRAZE_ISA {
 
 namespace {
 
-/// Which lanes touch, and in which that is known.
+/// The lanes that touch, and those in which that is known.
 template <class S>
 struct Touching {
   typename S::Mask touch, known;

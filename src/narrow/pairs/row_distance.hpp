@@ -1,5 +1,5 @@
-// The distance of a bundle of pairs by their closed form: of round shapes and of balls with boxes, and of all of these
-// and triangles with half-spaces. Only for `*.kernel.cpp`.
+// The distances of a bundle of pairs in closed form: spheres, capsules, balls with boxes, and all of these and
+// triangles with half-spaces. Only for `*.kernel.cpp`.
 //
 // Guarantee: in every lane the bits that the pair gives alone; everything is inlined.
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// Of two shapes in place, in the world.
+/// The distance of two shapes in place, in the world.
 template <class A, class B, class S>
 inline CoreDistance<S> distance_of(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
                                    const Pose<S>& pose_b) {

@@ -1,8 +1,8 @@
-// What touches where the side of a capsule lies on something: one point or two along one normal, across lanes.
+// Contacts of a capsule whose side lies on another shape: one point or two along one normal, across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The points are those of the general path, up to rounding
-// and under the same names: the ends of the stretch in which the faces lie over each other, each on the surfaces over
-// it.
+// Guarantee: in every lane the bits that the pair gives alone. The points are those of the general path, up to
+// rounding, with the same features: the ends of the stretch in which the faces overlap, each on the surfaces at that
+// end.
 #pragma once
 
 #include "narrow/core/core.hpp"
@@ -11,15 +11,15 @@
 
 namespace graze {
 
-/// The points; which of the slots hold one is another matter in every lane.
+/// The points; each lane fills different slots.
 template <class S>
 struct SegmentContact {
   struct Slot {
     Vec3<S> a, b;
     S distance;
-    S place;  ///< of the names of the two features, in the table of the pair
+    S place;  ///< index of the two features in the table of the pair
   } slots[2];
-  S distance;      ///< of the two shapes
+  S distance;      ///< distance of the two shapes
   Vec3<S> normal;  ///< unit, from A to B, in the world
   S filled;        ///< slot i holds a point: bit i of this number; 0: nothing is known
 };
@@ -48,15 +48,15 @@ SegmentContact<S> select(const M& condition, const SegmentContact<S>& yes, const
           select(condition, yes.filled, no.filled)};
 }
 
-/// The points of one pair, in the order in which the two stand.
+/// The points of one pair, in the caller's order of the two shapes.
 template <class T>
 struct SegmentPoints {
   const SegmentContact<T>& found;
   const std::uint32_t* features;
-  bool turned;  ///< A is the second of the two for whoever asks
+  bool turned;  ///< A is the caller's second shape
 
   Vec3<T> normal() const { return turned ? -found.normal : found.normal; }
-  /// Appends them to `points` (of contact points or of what begins with one) and returns how many.
+  /// Appends the points to `points` (of contact points or of types that begin with one) and returns their number.
   template <class Points>
   std::size_t append(Points& points) const {
     const auto filled = static_cast<unsigned>(found.filled);
@@ -72,15 +72,16 @@ struct SegmentPoints {
 
 namespace round {
 
-/// How near the end of a side counts as that, squared, relative to the square of its length.
+/// Distance from the end of a side within which a point counts as at the end, squared, relative to the square of the
+/// length.
 template <class S>
 inline constexpr typename LaneOf<S>::type near_end = static_cast<typename LaneOf<S>::type>(same_place* same_place);
 
-/// What of a ball or a capsule a part is: a centre, or the side between the two.
+/// Part number of the side of a ball or a capsule; 0 and 1 are its ends.
 inline constexpr int side_part = 2;
 
-/// What of a segment about the origin a place on it lies on: an end of it, or its inside. `seen`: the square of a unit
-/// of its length as seen; `near_squared`: how near an end counts as that.
+/// The part of a segment about the origin that a position on it belongs to: an end, or the inside. `seen`: the square
+/// of a unit of its length as seen; `near_squared`: the squared distance within which an end counts.
 template <class S>
 S part_at(const S& along, const S& half, const S& seen, const S& near_squared) {
   using std::abs;
@@ -88,14 +89,16 @@ S part_at(const S& along, const S& half, const S& seen, const S& near_squared) {
   return select(beside * beside * seen <= near_squared, select(along > S(0), S(1), S(0)), S(side_part));
 }
 
-/// The side of a capsule met by lines along a direction that is about across it.
+/// The side of a capsule intersected by lines along a direction that is about perpendicular to it.
 template <class S>
 struct Side {
   S half, radius;
-  S up, seen;  ///< along the axis a unit of the direction, and squared a unit of the axis as seen
+  S up, seen;  ///< `up`: component of the direction along the axis; `seen`: squared length of a unit of the axis as
+               ///< seen
 
-  /// How far beyond a place on the axis, and `beside` it, the surface lies; minus infinity where the line passes by.
-  /// The square of what is beside, and its product with the axis as seen, since both are seen along the direction.
+  /// The height of the surface along the direction over a position on the axis and `beside` it; minus infinity where
+  /// the line misses. `beside` is given by its square, and its product with the axis as seen, since both are seen along
+  /// the direction.
   S rise(const S& along, const S& beside_squared, const S& beside_along) const {
     using std::sqrt;
     const S zero(0), never(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), flat = S(1) / seen;
@@ -111,11 +114,11 @@ struct Side {
     return greatest(side, greatest(ball(-half), ball(half)));
   }
   S rise(const S& along) const { return rise(along, S(0), S(0)); }
-  /// How near an end counts as that, squared.
+  /// The squared distance within which an end counts.
   S near_end() const { return S(4) * S(round::near_end<S>) * (half * half * seen); }
 };
 
-/// The stretch of a segment about its middle that is left where what bounds a face cuts it.
+/// The stretch of a segment about its middle that remains when the bounds of a face clip it.
 template <class S>
 struct Stretch {
   using Mask = decltype(S() < S());
@@ -124,8 +127,8 @@ struct Stretch {
   Mask any;
 
   explicit Stretch(const S& half_length) : half(half_length), low(-half_length), high(half_length), any(low <= high) {}
-  /// What is within `reach` of the middle of a slab: `from` is the segment's middle there, which moves by `pace`. An
-  /// end stays that is no further out than `slack`.
+  /// Clips by a slab to the part within `reach` of its middle: `from` is the middle of the segment there, `pace` the
+  /// change per unit of length. An end that is out by no more than `slack` stays.
   void cut(const S& from, const S& pace, const S& reach, const S& slack) {
     using std::abs;
     const S zero(0), inverse = S(1) / select(pace == zero, S(1), pace);
@@ -138,8 +141,8 @@ struct Stretch {
     low = select(low_out, greatest(low, crossing(at_low)), low);
     high = select(high_out, least(high, crossing(at_high)), high);
   }
-  /// What is on the inner side of a plane, where `from` and what it becomes are positive. An end stays that is out by
-  /// less than the root of `slack_squared`.
+  /// Clips by a plane to the part where `from`, changing by `pace`, is positive. An end that is out by less than the
+  /// root of `slack_squared` stays.
   void cut(const S& from, const S& pace, const S& slack_squared) {
     const S zero(0), at_low = from - pace * half, at_high = from + pace * half;
     const auto out = [&](const S& at) -> Mask { return (at < zero) & (at * at > slack_squared); };
@@ -151,9 +154,9 @@ struct Stretch {
   }
 };
 
-/// Of the two points keeps those up to `limit` apart, and of two under the same names or at the same place, up to
-/// `together`, the deeper. Where that leaves one, and one is as near as `nearest`: elsewhere the closest points of the
-/// shapes serve better.
+/// Keeps of the two points those up to `limit` apart, and of two with the same features or at the same place, up to
+/// `together`, the deeper. Returns where that leaves a point and one is as near as `nearest`: elsewhere the closest
+/// points of the shapes serve better.
 template <class S, class M>
 M keep_points(SegmentContact<S>& found, const M& first, const M& second, const S& limit, const S& together,
               const S& nearest) {
@@ -168,7 +171,7 @@ M keep_points(SegmentContact<S>& found, const M& first, const M& second, const S
   return (found.filled > zero) & ((first & (p.distance <= nearest)) | (second & (q.distance <= nearest)));
 }
 
-/// Puts the closest points of the shapes where `faces` do not tell.
+/// Puts the closest points of the shapes where `faces` is not set.
 template <class S, class M>
 void put_closest(SegmentContact<S>& found, const M& faces, const CoreDistance<S>& closest, const S& place) {
   auto& slot = found.slots[0];
@@ -178,7 +181,7 @@ void put_closest(SegmentContact<S>& found, const M& faces, const CoreDistance<S>
           select(faces, slot.distance, closest.distance), select(faces, slot.place, place)};
 }
 
-/// Two sides that run along each other, seen along a normal from A to B: axes of capsules, or edges, which have no
+/// Two sides that run along each other, seen along a normal from A to B: axes of capsules, or edges, which have zero
 /// radius, in a frame along the world's axes.
 template <class S>
 struct SidesAlong {
@@ -190,7 +193,7 @@ struct SidesAlong {
   const Vec3<S>& n;
   S up_a, up_b;
   Side<S> side_a, side_b;
-  S near;  ///< how near an end counts as that, squared
+  S near;  ///< squared distance within which an end counts
 
   SidesAlong(const TurnedAxis<S>& axis_a, const S& of_a, const TurnedAxis<S>& axis_b, const S& of_b,
              const Vec3<S>& normal)
@@ -208,15 +211,15 @@ struct SidesAlong {
   S part_a(const S& along) const { return part_at(along, a.half, side_a.seen, near); }
   S part_b(const S& along) const { return part_at(along, b.half, side_b.seen, near); }
 
-  /// The ends of the stretch that they run along each other (`clip_faces`), in the order of A; in which lanes there are
-  /// such. `origin`: of the frame, in the world. `sharp`: how far beside an edge counts as on it. `place(i, j)`: that
-  /// of the names of two parts.
+  /// Puts the ends of the stretch along which both run (`clip_faces`), in the order of A; `first` and `second` are the
+  /// lanes that have them. `origin`: the frame's, in the world. `sharp`: distance beside an edge that counts as on it.
+  /// `place(i, j)`: index of the features of two parts.
   template <class Place>
   void put_ends(const Vec3<S>& origin, const S& sharp, const Place& place, SegmentContact<S>& found, Mask& first,
                 Mask& second) const {
     using std::abs;
     const S zero(0), one(1), never(-std::numeric_limits<T>::infinity()), radii = radius_a + radius_b;
-    // Where along A, as seen, the places along B are: at `middle` its middle, further by `slope` for each unit.
+    // Positions along A, as seen, of positions along B: `middle` for its middle, plus `slope` for each unit.
     const Vec3<S> seen_axis = (a.axis - n * up_a) * (one / side_a.seen);
     const S middle = dot(b.middle - a.middle, seen_axis), slope = dot(b.axis, seen_axis), inverse = one / slope;
     const S reach = abs(slope) * b.half, from = middle - reach, to = middle + reach,
@@ -224,7 +227,7 @@ struct SidesAlong {
     const Mask meet = (from <= a.half) & (to >= -a.half);
     const S share = select(radii > zero, radius_a / select(radii > zero, radii, one), zero);
     const auto put = [&](typename SegmentContact<S>::Slot& slot, const S& on_a, const S& on_b) -> Mask {
-      // What the two axes are apart across the normal is shared, so that both points lie on the rounded sides.
+      // The offset of the two axes across the normal is shared, so that both points lie on the rounded sides.
       const Vec3<S> core = a.at(on_a), gap = b.at(on_b) - core;
       const S apart = dot(gap, n);
       const Vec3<S> across = gap - n * apart;

@@ -1,4 +1,4 @@
-// What lanes find of capsules whose sides lie on something, written pair by pair. Only for `*.kernel.cpp`.
+// Results of lanes for capsules whose sides lie on another shape, written pair by pair. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// The lane of a pair, rounded to T.
+/// Writes one lane of a pair, rounded to T.
 template <class T, class S>
 [[gnu::always_inline]] inline void put_side(const SegmentContact<S>& found, int i, SegmentContact<T>& to) {
   const auto vector = [i](const Vec3<S>& v) __attribute__((always_inline)) {
@@ -27,7 +27,7 @@ template <class T, class S>
   to.filled = static_cast<T>(found.filled[i]);
 }
 
-/// Those of the lanes whose bits are set, one behind the other.
+/// Writes the lanes whose bits are set, one behind the other.
 template <class T, class S>
 [[gnu::always_inline]] inline void put_sides(const SegmentContact<S>& found, std::uint32_t bits,
                                              SegmentContact<T>* to) {

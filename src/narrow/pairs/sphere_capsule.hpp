@@ -1,6 +1,6 @@
-// Sphere against capsule: a point against a segment, or against the hull of two balls where the capsule is tapered.
+// Sphere against capsule: a point against a segment, or against the hull of two balls for a tapered capsule.
 //
-// Guarantee: exact up to rounding, inside and out, for spheres without size too.
+// Guarantee: exact up to rounding, inside and out, also for spheres of zero radius.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,13 @@
 namespace graze {
 
 /// The signed distance of a point from the hull of two balls along Y, in the half-plane through the axis, and its
-/// outward normal there. The hull's support along a unit vector n is the larger of the two balls', so the distance is
-/// the smaller of n.(p - center) - radius over both balls, at the n for which that is largest: along the way from the
-/// centre of a ball where that ball reaches further, and else along the side's normal, where both reach equally far.
+/// outward normal there. The support function of the hull along a unit vector n is the larger of the two balls', so the
+/// distance is the smaller of n.(p - center) - radius over both balls, at the n for which that is largest: along the
+/// line from the centre of a ball where that ball reaches further, and else along the side's normal, where both reach
+/// equally far.
 struct RoundConeDistance {
   double distance;
-  double across, along;  ///< the normal: away from the axis, and along it
+  double across, along;  ///< the normal: components away from the axis, and along it
 };
 inline RoundConeDistance round_cone_distance(double half_height, double bottom, double top, double across,
                                              double along) {
@@ -34,7 +35,7 @@ inline RoundConeDistance round_cone_distance(double half_height, double bottom, 
   return {cosine * across + sine * above_bottom - bottom, cosine, sine};
 }
 
-/// Sphere against capsule, tapered ones too.
+/// Sphere against capsule, tapered capsules included.
 struct SphereCapsule : OneContactPair<Sphere, Capsule> {
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<Sphere<T>, T>& sphere,
@@ -58,7 +59,7 @@ struct SphereCapsule : OneContactPair<Sphere, Capsule> {
     const RoundConeDistance at = round_cone_distance(half_height, bottom, top, across, p.y);
     const Vec3d beside = across > 0 ? Vec3d{p.x / across, 0, p.z / across} : Vec3d{1, 0, 0};
     const Vec3d outward{beside.x * at.across, at.along, beside.z * at.across};
-    // A distance that rounding cannot tell from none is none: they touch.
+    // A distance within rounding of zero is zero: the two touch.
     const double extent = half_height + greatest(bottom, top),
                  noise = rounding_error * (greatest(extent, radius) + max_abs(p));
     const double from_center = std::abs(at.distance - radius) <= noise ? radius : at.distance;

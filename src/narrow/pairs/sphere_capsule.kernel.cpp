@@ -1,4 +1,4 @@
-// Pairs of round shapes, and of balls with boxes, a bundle at a time.
+// Pairs of spheres and capsules, and of balls with boxes, a bundle at a time.
 #include "narrow/batch/pair_bundle.hpp"
 #include "narrow/batch/point_contacts.hpp"
 #include "narrow/pairs/segment_lanes.hpp"

@@ -1,7 +1,7 @@
-// Contacts of balls and untapered capsules with each other, and of balls with boxes, by their closed forms: one point,
-// or two where the sides of capsules lie along each other; across lanes.
+// Contacts of balls and untapered capsules with each other, and of balls with boxes, in closed form: one point, or two
+// where capsules lie side by side; across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
+// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, with the features that faces give.
 #pragma once
 
 #include <iterator>
@@ -18,8 +18,8 @@ namespace graze {
 template <class S>
 struct RoundContact {
   CoreDistance<S> at;
-  S part_a, part_b;  ///< of A and of B: numbers of `round_features`, of a box of `box_features`
-  S known;           ///< 1: that is all there is; 0: there may be two, which `side_contact` tells; -1: nothing is known
+  S part_a, part_b;  ///< parts of A and of B: indices into `round_features`, for a box into `box_features`
+  S known;           ///< 1: the only point; 0: there may be two, found by `side_contact`; -1: nothing is known
 };
 
 template <class T, class S>
@@ -31,24 +31,24 @@ RoundContact<T> converted(const RoundContact<S>& c) {
           static_cast<T>(c.known)};
 }
 
-/// The names of the parts of a ball or a capsule.
+/// Features of the parts of a ball or a capsule.
 inline constexpr std::uint16_t round_features[] = {static_cast<std::uint16_t>(vertex_feature(0)),
                                                    static_cast<std::uint16_t>(vertex_feature(1)),
                                                    static_cast<std::uint16_t>(edge_feature(0, 1))};
 
 namespace round {
 
-/// A capsule's segment as a face seen along a unit vector: its side where that leans little from the normal plane of
+/// A capsule's segment as a face seen along a unit vector: the side where that leans little from the normal plane of
 /// the axis, else an end.
 template <class S>
 struct SegmentFace {
   using Mask = decltype(S() < S());
 
   Mask side;
-  Mask top;          ///< the end, where it is no side
-  S seen;            ///< the square of a unit of its length as seen
-  S length_squared;  ///< of the side as seen
-  S beside_squared;  ///< the distance of the point in question from the nearer end, as seen
+  Mask top;          ///< which end it is, where it is no side
+  S seen;            ///< square of a unit of its length as seen
+  S length_squared;  ///< squared length of the side as seen
+  S beside_squared;  ///< squared distance of the given point from the nearer end, as seen
   Mask nearer_top;
 
   SegmentFace(const TurnedAxis<S>& segment, const Vec3<S>& outward, const Vec3<S>& point) {
@@ -63,20 +63,20 @@ struct SegmentFace {
     beside_squared = beside * beside * seen;
   }
 
-  /// `near_squared`: how near an end counts as that.
+  /// The part that the point lies on. `near_squared`: squared distance within which an end counts.
   S part(const S& near_squared) const {
     const auto end = [](const Mask& upper) { return select(upper, S(1), S(0)); };
     return select(side, select(beside_squared <= near_squared, end(nearer_top), S(round::side_part)), end(top));
   }
 };
 
-/// How near the rim of a box's face counts as that, squared, as seen along `n`. The face's axis comes last.
+/// The squared distance, as seen along `n`, within which the rim of a box's face counts. The face's axis comes last.
 template <class S>
 S near_rim(const Vec3<S>& h, const Vec3<S>& n) {
   const S one(1), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y;
   return S(4) * S(near_end<S>) * least(h.x * h.x * seen_u, h.y * h.y * seen_v);
 }
-/// What of the face a point lies on, within that.
+/// The part of the face that a point lies on: rims count within the squared distance `near`.
 template <class S>
 S rims_part(const Vec3<S>& h, const Vec3<S>& n, const Vec3<S>& p, const S& near) {
   const S one(1), zero(0), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y, facing = n.z * n.z;
@@ -89,8 +89,8 @@ S rims_part(const Vec3<S>& h, const Vec3<S>& n, const Vec3<S>& p, const S& near)
   // The rim across u runs along v.
   return S(3) * at(h.y, p.y, seen_u) + at(h.x, p.x, seen_v);
 }
-/// What of a box's face that leans least from `outward` the point on it lies on, as both are seen along `outward`.
-/// `near_other`: how near counts as near on what it meets, squared.
+/// The part of a box that `point` lies on, within the face that leans least from `outward`, as seen along `outward`.
+/// `near_other`: the squared distance within which parts of the other shape count.
 template <class S>
 S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point, const S& near_other) {
   const auto face = AxisPermutation<S>::longest(outward);
@@ -133,7 +133,7 @@ void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, RoundContac
   c.part_b = box_part(p.box.half, core.normal, core.a);
 }
 
-/// Whether the shape is one that `round_contact` takes.
+/// Whether `round_contact` takes the shape.
 template <class T>
 bool regular(const Sphere<T>&) {
   return true;
@@ -150,19 +150,19 @@ bool regular(const Box<T>& box) {
 
 }  // namespace round
 
-/// The place of the names of two parts in `RoundFeatureIds`, exact in any number.
+/// The index of the features of two parts in `RoundFeatureIds`, exact in any number type.
 template <class S>
 S feature_place(const S& part_a, const S& part_b) {
   return part_a * S(typename LaneOf<S>::type(box_part_count)) + part_b;
 }
 
-/// Up to where contacts are wanted, `margin`, is asked of first: further apart there is but a distance and its normal.
-/// Only for capsules with a length and boxes with one along every side.
+/// The contact at the closest points. Pairs further apart than `margin` get only a distance and its normal. Only for
+/// capsules with a length and boxes with one along every side.
 template <class A, class B, class S>
 RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
                               const Pose<S>& pose_b, const S& margin) {
-  // Not `const`: g++ keeps a constant structure in memory, and what is written there number by number and read back as
-  // three of them waits for the writes.
+  // Not `const`: g++ keeps a constant structure in memory, and a wide load of numbers that were stored one by one waits
+  // for the stores.
   auto pair = sphere_capsule_pair(a, pose_a, b, pose_b);
   CorePoints<S> nearest = pair.nearest();
   const Vec3<S> between = nearest.b - nearest.a;
@@ -175,8 +175,8 @@ RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, con
   return contact;
 }
 
-/// Of capsules that touch side along side: the ends of the stretch that they run along each other (`clip_faces`). The
-/// margin as above; `closest` is what serves where there is no such stretch.
+/// The contacts of capsules side by side: the ends of the stretch along which both run (`clip_faces`), up to `margin`
+/// apart; `closest`, the closest points, where there is no such stretch.
 template <class S>
 SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S>& pose_a,
                                const Rounded<AxisCore<S>, S>& of_b, const Pose<S>& pose_b,
@@ -208,8 +208,8 @@ SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S
   return found;
 }
 
-/// What touches of two balls, and where between their points the radius-weighted one lies; of other pairs it is
-/// halfway.
+/// The features of two balls. `ball_weight` is the position of the radius-weighted point between their points; other
+/// pairs have the middle.
 inline constexpr std::uint32_t ball_feature = feature_id(vertex_feature(0), vertex_feature(0));
 template <class S>
 S ball_weight(const S& radius_a, const S& radius_b) {
@@ -217,8 +217,8 @@ S ball_weight(const S& radius_a, const S& radius_b) {
   return select(sum > S(0), radius_a / select(sum > S(0), sum, S(1)), S(0.5f));
 }
 
-/// The names of what touches of a round shape and of another: that of the parts i and j at the place 54 i + j. Not
-/// inline: kernels of different levels share nothing.
+/// The features of a sphere or capsule with another shape: those of the parts i and j are at index 54 i + j. Not
+/// inline: kernels of different instruction sets share nothing.
 struct RoundFeatureIds {
   std::uint32_t of[std::size(round_features) * box_part_count]{};
   template <class Name, std::size_t size>
@@ -234,7 +234,7 @@ template <class B, class T>
 constexpr const RoundFeatureIds& round_feature_ids() {
   return std::is_same_v<B, Box<T>> ? ids_with_box : std::is_same_v<B, Triangle<T>> ? ids_with_triangle : ids_with_round;
 }
-/// The names of the parts of one shape, a table that fits registers.
+/// Features of the parts of one shape, in a table that fits in registers.
 template <std::size_t room>
 struct PartNames {
   std::uint32_t of[room]{};
@@ -255,7 +255,7 @@ std::optional<T> put_sides(const SegmentContact<T>& found, const RoundFeatureIds
   return found.distance;
 }
 
-/// The closest points of two shapes from the one point of a manifold, which then has none.
+/// Takes the closest points of two shapes, the single point of a manifold, out of it.
 template <class M>
 auto take_closest(M& manifold) {
   const auto point = manifold.points[0];
@@ -263,8 +263,8 @@ auto take_closest(M& manifold) {
   return CoreDistance<std::remove_cvref_t<decltype(point.distance)>>{point.distance, manifold.normal, point.a, point.b};
 }
 
-/// The one point of contact of shapes in place, without regard to whether these are such as `round_contact` takes.
-/// Nothing where more is to be asked; where there may be two points, the manifold holds the closest points then.
+/// The single point of contact of shapes in place, which `round_contact` must take. Nothing where the answer is
+/// incomplete; where there may be two points, the manifold then holds the closest points.
 template <class A, class B, class T, class M>
 std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, M& manifold) {
   const auto of_a = rounded_core(a.shape, a.rounding());
@@ -272,7 +272,7 @@ std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T m
   RoundContact<T> found = round_contact(of_a, a.pose, of_b, b.pose, margin);
   if (found.known < T(0)) return std::nullopt;
   const CoreDistance<T>& at = found.at;
-  // Of shapes that are apart only those who take composites apart ask for a direction.
+  // The direction between disjoint shapes is of use only to queries on composites.
   const bool apart = !(at.distance <= margin);
   if (std::is_same_v<M, Manifold<T>> || !apart) put(at.normal, manifold.normal);
   if (apart) return at.distance;
@@ -288,7 +288,7 @@ std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T m
   return at.distance;
 }
 
-/// `one_contact` of shapes that have one.
+/// `one_contact` for shapes that `round_contact` takes; nothing for others.
 template <class A, class B, class T, class M>
 std::optional<T> regular_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, M& manifold) {
   if (!round::regular(a.shape) || !round::regular(b.shape)) return std::nullopt;

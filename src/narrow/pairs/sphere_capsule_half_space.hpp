@@ -1,9 +1,9 @@
-// Balls and untapered capsules on a half-space, across lanes: the point below a ball, below the lower end of a capsule,
-// or below both ends of its side where that lies.
+// Contacts of balls and untapered capsules on a half-space, across lanes: the point below a ball, below the lower end
+// of a capsule, or below both ends of a capsule that lies on its side.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit; the
-// points are those that the general path gives, up to rounding, under the same names. There is a point where the
-// distance is within the margin, and only there.
+// points are those of the general path, up to rounding, with the same features. There are points exactly where the
+// distance is within the margin.
 #pragma once
 
 #include "graze/shape/face.hpp"
@@ -14,12 +14,12 @@ namespace graze {
 
 namespace detail {
 
-/// A round body on a half-space whose surface has the height `plane` in its own frame.
+/// A sphere or capsule on a half-space whose surface has the height `plane` in its own frame.
 template <class S>
 struct RoundRest {
   const Pose<S>& pose;
-  Pose<S> seen;  ///< from the half-space
-  Vec3<S> up;    ///< of the world
+  Pose<S> seen;  ///< pose in the half-space's frame
+  Vec3<S> up;    ///< in the world
   Vec3<S> down;  ///< in the body's frame
   S plane, radius;
 
@@ -30,7 +30,7 @@ struct RoundRest {
     down = rotate(conjugate(seen.rotation), -plane_up);
   }
   S distance_at(const Vec3<S>& lowest) const { return transform(seen, lowest).y - (plane + radius); }
-  /// Below a point of the core, on which the surface lies `rise` straight below.
+  /// The contact below a point of the core, where the surface lies `rise` straight below that.
   typename Rest<S>::Slot below(const Vec3<S>& point, const S& number, const S& rise) const {
     const S apart = seen.translation.y - dot(down, point) - (plane + rise);
     const Vec3<S> low = transform(pose, point) - up * rise;
@@ -52,7 +52,7 @@ Rest<S> rest(const Rounded<PointCore<S>, S>& ball, const Pose<S>& pose, const S&
   return found;
 }
 
-/// A capsule with a length.
+/// The contacts of a capsule with a length.
 template <class S>
 Rest<S> rest(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose, const S& plane, const Pose<S>& plane_pose,
              const S& margin) {
@@ -62,7 +62,7 @@ Rest<S> rest(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose, const 
   const S zero(0), one(1), half = capsule.core.half_height, length = half * S(2), radius = capsule.radius;
   const S along = body.down.y, steep = body.down.x * body.down.x + body.down.z * body.down.z;
   const auto lies = abs(along) <= S(face_lean<T>), top = along > zero;
-  // Straight below an end of a side that leans may lie the side, or the other end's ball.
+  // Straight below an end of a leaning side, the side or the other end's ball may be lowest.
   const auto rise = [&](const S& toward_other) {
     const S side = radius / sqrt(select(lies, steep, one)), place = side * toward_other;
     const S by_side = select((place >= zero) & (place <= length), greatest(radius, side), radius);
@@ -78,7 +78,7 @@ Rest<S> rest(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose, const 
   const auto first_top = top & (!lies);
   found.slots[0] = body.below(end(select(first_top, half, -half)), select(first_top, one, zero), rise(along));
   found.slots[1] = body.below(end(half), one, rise(-along));
-  // What lies as near as the lowest point up to rounding is kept with it: a side that touches touches whole.
+  // Points level with the lowest up to rounding are kept with it, so that a side that touches touches whole.
   const S noise = S(box_rounding<T>) * (half + radius + max_abs(body.seen.translation)),
           limit = greatest(margin, found.distance + noise);
   const auto near = found.distance <= margin;

@@ -1,4 +1,4 @@
-// Pairs of round shapes, and of balls with boxes, in rows.
+// Pairs of spheres and capsules, and of balls with boxes, in rows.
 #include "narrow/batch/sphere_capsule_rows.hpp"
 
 namespace graze::GRAZE_ISA {

@@ -15,7 +15,7 @@ using S = Lanes<double>;
 template <class L>
 using Triangles = Rounded<TriangleCore<L>, L>;
 
-/// Each compiled once for all.
+/// The contacts of a register of pairs, each compiled once for all callers.
 [[gnu::noinline, gnu::flatten]] void answer(const Rounded<PointCore<S>, S>& ball, const Pose<S>& pose,
                                             const Triangles<S>& triangle, const Pose<S>& pose_triangle, const S& limit,
                                             RoundContact<S>& found) {
@@ -34,7 +34,7 @@ using Triangles = Rounded<TriangleCore<L>, L>;
   found = side_contact(capsule, pose, triangle, pose_triangle, at, margin, lies, rounded);
 }
 
-/// Of the first `count` lanes. What touches is told of those that are within their margins.
+/// The contacts of the first `count` lanes. Parts are found for pairs within their margins only.
 template <class T, class Core>
 RoundContact<Lanes<T>> contacts_of(const Rounded<Core, Lanes<T>>& a, const Pose<Lanes<T>>& pose_a,
                                    const Triangles<Lanes<T>>& b, const Pose<Lanes<T>>& pose_b, const Lanes<T>& margin,
@@ -65,7 +65,7 @@ CoreDistance<S> distance_in_double(const CoreDistance<L>& d) {
   return {lanes_in_double<part>(d.distance), in_double<part>(d.normal), in_double<part>(d.a), in_double<part>(d.b)};
 }
 
-/// Writes what is found of the capsules that lie, of those lanes, one behind the other.
+/// Writes the contacts of capsules that lie on their sides, for the given lanes, one behind the other.
 template <class T>
 void put_lying(const Rounded<AxisCore<Lanes<T>>, Lanes<T>>& a, const Pose<Lanes<T>>& pose_a,
                const Triangles<Lanes<T>>& b, const Pose<Lanes<T>>& pose_b, const RoundContact<Lanes<T>>& c,
@@ -90,7 +90,7 @@ RoundContact<Lanes<T>> contacts_of(const TriangleRows<A, T>& p, const Lanes<T>& 
   return contacts_of<T>(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, margin, count);
 }
 
-/// Calls `f(distances, filled, first)` for the bundles of rows; what touches is not asked.
+/// Calls `f(distances, filled, first)` for the bundles of rows; parts are not found.
 template <class A, class T, class F>
 std::uint32_t answer_distances(const PairRows<T>& rows, std::size_t count, std::uint8_t* unknown, const F& f) {
   const auto answer = [&](const TriangleRows<A, T>& pairs, std::size_t filled, std::size_t first) {

@@ -1,7 +1,7 @@
-// A ball or an untapered capsule and a triangle that touch, across lanes: in one point, or with the capsule's side.
+// Contact of a ball or an untapered capsule with a triangle, across lanes: in one point, or along the capsule's side.
 //
-// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
-// Where there is no such answer, `known` says so: the general path answers then.
+// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, with the features that faces give.
+// Where `known` is -1, the general path answers.
 #pragma once
 
 #include "narrow/pairs/capsule_triangle_segment.hpp"
@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// Up to `limit` apart it is asked what touches. Of a pair of which nothing is known the distance is -infinity.
+/// The contact at the closest points, with its parts up to `limit` apart. The distance of an unknown pair is -infinity.
 template <class S, class Pair>
 RoundContact<S> round_triangle_contact(const Pair& pair, const S& limit) {
   const S nothing(-std::numeric_limits<double>::infinity());
@@ -23,7 +23,8 @@ RoundContact<S> round_triangle_contact(const Pair& pair, const S& limit) {
   return contact;
 }
 
-/// Nothing where more is to be asked; where there may be two points, the manifold holds the closest points then.
+/// The contact of a single pair. Nothing where the answer is incomplete; where there may be two points, the manifold
+/// then holds the closest points.
 template <class B, class T, class Pair, class M>
 std::optional<T> contact_of(const Pair& pair, T margin, M& manifold) {
   if (!pair.known()) return std::nullopt;

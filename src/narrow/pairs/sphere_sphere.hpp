@@ -1,4 +1,4 @@
-// Sphere against sphere: whether they touch is told without a root.
+// Sphere against sphere, with an overlap test without a root.
 #pragma once
 
 #include "narrow/pairs/one_contact_pair.hpp"

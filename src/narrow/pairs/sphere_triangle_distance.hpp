@@ -1,8 +1,7 @@
 // Sphere against triangle: the nearest point of the triangle to the centre, across lanes, in double.
 //
-// Guarantee: `distance`, `overlap` and `contacts` take their answer from here, so that they agree on what touches, of
-// one pair or of many. It is not known where the centre lies about on the triangle, and of slivers: the general path
-// answers then.
+// Guarantee: `distance`, `overlap` and `contacts` share this answer, so that they agree on touching, for one pair and
+// for many. Unknown where the centre lies about on the triangle, and for slivers: the general path answers then.
 #pragma once
 
 #include <cmath>
@@ -18,16 +17,16 @@
 
 namespace graze {
 
-/// A triangle and a shape of a round core, in a frame at the round one's origin along the world's axes.
+/// A triangle and a sphere or capsule, in a frame at the latter's origin along the world's axes.
 template <class S>
 struct RoundAndTriangle {
   TriangleRegions<S> triangle;
-  Mat3<S> turn;             ///< of the triangle
-  Vec3<S> origin, between;  ///< of that frame in the world, and from the triangle's origin to there
+  Mat3<S> turn;             ///< rotation of the triangle
+  Vec3<S> origin, between;  ///< origin of that frame in the world, and its offset from the triangle's origin
   S radius_round, radius_triangle;
-  S noise;  ///< what rounding may do to a distance: `noise_of`
+  S noise;  ///< rounding of a distance: `noise_of`
 
-  /// `extent`: of the round one's core.
+  /// `extent`: that of the sphere's or capsule's core.
   RoundAndTriangle(const S& radius, const S& extent, const Pose<S>& pose, const Rounded<TriangleCore<S>, S>& of,
                    const Pose<S>& pose_triangle)
       : triangle(of.core),
@@ -41,11 +40,11 @@ struct RoundAndTriangle {
 
   Vec3<S> seen_by_triangle(const Vec3<S>& p) const { return transposed_times(turn, p + between); }
   NearTriangle<S> nearest_to(const Vec3<S>& p) const { return triangle.nearest_to(seen_by_triangle(p), noise); }
-  /// Of the rounded shapes, of which the cores are nearest at `p`, and where the triangle has it.
+  /// The distance of the rounded shapes, whose cores are nearest at `p` and `near`.
   CoreDistance<S> in_world(const Vec3<S>& p, const NearTriangle<S>& near) const {
     using std::abs;
     const S radii = radius_round + radius_triangle;
-    // A distance that rounding cannot tell from none is none: they touch.
+    // A distance within rounding of zero is zero: the two touch.
     const S apart = select(abs(near.distance - radii) <= noise, radii, near.distance);
     const Vec3<S> normal = -(turn * near.outward);
     return {apart - radii, normal, origin + (p + normal * radius_round),
@@ -53,7 +52,7 @@ struct RoundAndTriangle {
   }
 };
 
-/// A ball and a triangle. All but what is known has a meaning only where that is.
+/// A ball and a triangle. Results are meaningful only where they are known.
 template <class S>
 class BallAndTriangle {
   using Mask = decltype(S() < S());
@@ -64,7 +63,7 @@ class BallAndTriangle {
       : pair_(ball.radius, length(ball.core.point), pose, triangle, pose_triangle) {
     const Mask regular = pair_.triangle.regular();
     if (!any(regular)) return;
-    // The same bits without the question, since zeros lose their sign: most balls are about their origins.
+    // The shortcut gives the same bits, since zeros lose their sign: most balls are about their origins.
     if (!is_origin(ball.core.point)) center_ = rotation_of(pose.rotation) * ball.core.point + center_;
     near_ = pair_.nearest_to(center_);
     near_.known = near_.known & regular;
@@ -72,9 +71,9 @@ class BallAndTriangle {
 
   Mask known() const { return near_.known; }
   CoreDistance<S> distance() const { return pair_.in_world(center_, near_); }
-  /// Whether they touch in one point at most.
+  /// Whether the two touch in one point at most.
   Mask one_point() const { return near_.known; }
-  /// What touches, of the ball and of the triangle.
+  /// The parts of the ball and of the triangle that touch.
   S part() const { return S(0); }
   S triangle_part() const { return pair_.triangle.part(near_.place, near_.outward); }
 
@@ -84,7 +83,7 @@ class BallAndTriangle {
   NearTriangle<S> near_{};
 };
 
-/// A triangle with its margin in double, as pairs are asked about.
+/// A triangle with its rounding radius, in double.
 template <class T>
 Rounded<TriangleCore<double>, double> rounded_in_double(const Triangle<T>& triangle, T margin) {
   return {{{converted<double>(triangle.point(0)), converted<double>(triangle.point(1)),
@@ -92,7 +91,7 @@ Rounded<TriangleCore<double>, double> rounded_in_double(const Triangle<T>& trian
           static_cast<double>(margin)};
 }
 
-/// The pair of a round shape and a triangle with their margins.
+/// A sphere and a triangle with their rounding radii, in double.
 template <class T>
 BallAndTriangle<double> with_triangle(const Sphere<T>& ball, T margin, const Pose<T>& pose, const Triangle<T>& triangle,
                                       T margin_triangle, const Pose<T>& pose_triangle) {
@@ -103,7 +102,7 @@ BallAndTriangle<double> with_triangle(const Sphere<T>& ball, T margin, const Pos
           converted<double>(pose_triangle)};
 }
 
-/// Nothing where it is not known.
+/// The distance of a pair, rounded to T; nothing where it is not known.
 template <class T, class Pair>
 std::optional<Distance<T>> distance_of(const Pair& pair) {
   if (!pair.known()) return std::nullopt;

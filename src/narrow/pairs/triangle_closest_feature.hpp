@@ -1,8 +1,9 @@
-// A triangle as points and segments look at it, across lanes: what of it is nearest, and its name.
+// The feature of a triangle nearest to a point or a segment, by Voronoi regions (Ericson 2005, section 5.1.5), across
+// lanes.
 //
 // Guarantee: an answer is `known` only where rounding leaves its direction known. Then the nearest place is right to
 // the rounding of the coordinates, the direction to six digits, over the face to all. In every lane the bits that a
-// triangle alone gives. For double: the bounds are of its digits.
+// triangle alone gives. For double only: the bounds are derived from its digits.
 #pragma once
 
 #include <cmath>
@@ -16,15 +17,15 @@
 
 namespace graze {
 
-/// How high a triangle has to be over its longest side, relative to that side. In thinner ones two edges are about the
-/// same line, and which of them touches is rounding.
+/// Least height of a triangle over its longest side, relative to that side. In thinner ones two edges are about the
+/// same line, and rounding decides which of them touches.
 inline constexpr double thinnest_triangle = 1.0 / 1024;
 
-/// From how many roundings off an edge or a corner the line from there to a point is a normal, right to six digits. A
-/// face has a normal of its own: one rounding tells on which side the point is.
+/// Distance from an edge or a corner, in roundings, from which on the line to a point is a normal with six digits. A
+/// face has a normal of its own: one rounding suffices to decide on which side the point is.
 inline constexpr double roundings_off_edge = 1e6;
 
-/// A point and the place of a triangle nearest to it. Of no meaning where it is not known.
+/// A point and the place of a triangle nearest to it. Meaningless where not known.
 template <class S>
 struct NearTriangle {
   Vec3<S> place, outward;  ///< outward: the unit vector from the place to the point
@@ -39,25 +40,25 @@ NearTriangle<S> select(const M& condition, const NearTriangle<S>& yes, const Nea
   return near;
 }
 
-/// The same of a segment.
+/// The nearest places of a segment and a triangle.
 template <class S>
 struct SegmentNearTriangle {
   NearTriangle<S> at;
-  S along;  ///< where on the segment, of its length
+  S along;  ///< position on the segment, relative to its length
 };
 
-/// A triangle seen along a direction off it, from its front or its back.
+/// A triangle seen along a direction away from it, from its front or its back.
 template <class S>
 struct SeenTriangle {
   using Mask = decltype(S() < S());
 
-  Vec3<S> inward[3];  ///< across an edge, as long as the edge is seen
-  S squared[3];       ///< of the edges as seen
-  S face;             ///< the part that is seen
+  Vec3<S> inward[3];  ///< perpendicular to an edge as seen, and as long as the edge is seen
+  S squared[3];       ///< squared lengths of the edges as seen
+  S face;             ///< part number of the side that is seen
 
   S shortest_squared() const { return least(squared[0], least(squared[1], squared[2])); }
-  /// The part that a place is seen on: `inside(i)` is how far inward of an edge it is, times the edge as seen.
-  /// `near_squared`: how near an edge counts as that.
+  /// The part on which a place is seen: `inside(i)` is its distance inward of an edge, times the edge's length as seen.
+  /// `near_squared`: squared distance within which an edge counts.
   template <class Inside>
   S part(const Inside& inside, const S& near_squared) const {
     const auto on_edge = [&](std::size_t i) -> Mask {
@@ -69,21 +70,21 @@ struct SeenTriangle {
     const S beside_0 = select(on1, S(1), select(on2, S(0), edge_from(0))), beside_1 = select(on2, S(2), edge_from(1));
     return select(on0, beside_0, select(on1, beside_1, select(on2, edge_from(2), face)));
   }
-  /// The part of an edge: that between the two others than the vertex before it.
+  /// The part of the edge that starts at vertex i.
   static S edge_from(std::size_t i) { return S(static_cast<double>(edge_part + (i + 2) % 3)); }
 };
 
-/// What of a triangle is seen along a direction that leans from it: an edge, or only a vertex of it.
+/// The feature of a triangle seen along a direction that leans too far from its normal: an edge, or only a vertex.
 template <class S>
 struct TriangleRim {
-  S edge;                       ///< its number, which is that of the vertex it starts at
-  Vec3<S> start, way;           ///< way: to its end
-  S squared;                    ///< of its length
-  S top;                        ///< the number of the vertex furthest out
+  S edge;                       ///< number of the edge: that of the vertex it starts at
+  Vec3<S> start, way;           ///< start of the edge, and the vector to its end
+  S squared;                    ///< squared length of the edge
+  S top;                        ///< number of the vertex furthest out
   decltype(S() < S()) pointed;  ///< only that vertex is seen
 };
 
-/// A triangle with what its questions share.
+/// A triangle with data that its queries share.
 template <class S>
 class TriangleRegions {
   using Mask = decltype(S() < S());
@@ -97,26 +98,26 @@ class TriangleRegions {
         across_(cross(along_[0], along_[1])),
         area_squared_(length_squared(across_)) {}
 
-  /// Whether it is not too thin to be asked what follows.
+  /// Whether the triangle is thick enough for the queries below.
   Mask regular() const {
-    // A guard of double's range: below this, of sides of 1e-50, the products of five lengths, which tell the sides, run
-    // out of digits. How thin a triangle may be, `thinnest_triangle` tells.
+    // A guard of double's range: below this, for sides of 1e-50, the products of five lengths that decide on which side
+    // of an edge a point is run out of digits. The thickness is bounded by `thinnest_triangle`.
     constexpr double least_area_squared = 1e-200;
     const S longest = greatest(squared_[0], greatest(squared_[1], squared_[2]));
     return (area_squared_ > S(least_area_squared)) &
            (area_squared_ > S(thinnest_triangle * thinnest_triangle) * longest * longest);
   }
-  /// Of its points from the origin of its frame.
+  /// The largest distance of its points from the origin of its frame.
   S extent() const {
     using std::sqrt;
     return sqrt(greatest(length_squared(point_[0]), greatest(length_squared(point_[1]), length_squared(point_[2]))));
   }
 
-  /// Not known where `noise`, the rounding of the coordinates, hides the direction.
+  /// The place nearest to a point. Not known where `noise`, the rounding of the coordinates, hides the direction.
   NearTriangle<S> nearest_to(const Vec3<S>& p, const S& noise) const {
     using std::sqrt;
-    // What is nearest lies on one of the edges that the point is beyond, or else below it (Ericson 2005, section
-    // 5.1.5).
+    // The nearest place lies on one of the edges that the point is beyond, or else straight below it (Ericson 2005,
+    // section 5.1.5).
     S least_squared(infinity);
     Vec3<S> best{S(0), S(0), S(0)};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -137,21 +138,21 @@ class TriangleRegions {
     return any(inside) ? select(inside, below(p, noise), of_edge) : of_edge;
   }
 
-  /// Where a segment from `start` along `d`, which is not zero, comes nearest to an edge, known if a plane between the
-  /// two shows that nothing is nearer.
+  /// The nearest places of the edges and a segment from `start` along `d`, which is not zero; known if a plane between
+  /// the two proves that nothing is nearer.
   SegmentNearTriangle<S> nearest_across(const Vec3<S>& start, const Vec3<S>& d, const S& noise) const {
     using std::sqrt;
     const S per_squared = S(1) / length_squared(d);
     S least_squared(infinity), along(0);
     Vec3<S> place{S(0), S(0), S(0)}, to = place;
     for (std::size_t i = 0; i < 3; ++i) {
-      // Of an edge that the segment is nowhere beyond, no such plane passes.
+      // No such plane touches an edge that the segment is nowhere beyond.
       const Vec3<S> r = start - point_[i];
       const S from_start = dot(side(i), r);
       const Mask beyond = least(from_start, from_start + dot(side(i), d)) < S(0);
       if (!any(beyond)) continue;
-      // Where the lines are nearest, clamped; what is nearest to that on the edge, clamped; and to that on the segment
-      // (Ericson 2005, section 5.1.9). By a cross product, which loses no digits where they are near parallel.
+      // The nearest points of the two lines, clamped; then the point of the edge nearest to that, clamped; then that of
+      // the segment (Ericson 2005, section 5.1.9). By a cross product, which loses no digits for near-parallel lines.
       const Vec3<S>& e = along_[i];
       const Vec3<S> n = cross(d, e);
       const S nn = length_squared(n), at_line = clamp(dot(cross(e, r), n) / select(nn > S(0), nn, S(1)), S(0), S(1)),
@@ -176,14 +177,14 @@ class TriangleRegions {
   }
 
   const Vec3<S>& point(std::size_t i) const { return point_[i]; }
-  /// Unit, to the front.
+  /// The unit normal on the front side.
   Vec3<S> normal() const {
     using std::sqrt;
     return across_ / sqrt(area_squared_);
   }
-  /// Which way a unit vector leads from it: positive where off the front.
+  /// The component of a unit vector along the normal, times twice the area: positive on the front side.
   S facing(const Vec3<S>& outward) const { return dot(across_, outward); }
-  /// Whether the general path sees the whole of it along such a vector.
+  /// Whether the general path sees the whole triangle along a vector with this `facing`.
   Mask seen_whole(const S& facing) const {
     return facing * facing >= S(1 - side_lean<double> * side_lean<double>) * area_squared_;
   }
@@ -199,8 +200,8 @@ class TriangleRegions {
     }
     return seen;
   }
-  /// The edge or vertex that the general path sees where it does not see the whole: the flatter of the two edges down
-  /// from the vertex furthest out.
+  /// The edge or vertex that the general path sees where it does not see the whole: the flatter of the two edges that
+  /// leave the vertex furthest out.
   TriangleRim<S> rim(const Vec3<S>& outward) const {
     const S height[3] = {dot(point_[0], outward), dot(point_[1], outward), dot(point_[2], outward)};
     const Mask second = height[1] > height[0], third = height[2] > greatest(height[0], height[1]);
@@ -224,8 +225,8 @@ class TriangleRegions {
     return rim;
   }
 
-  /// The number of the part that a place on the triangle lies on, for contacts whose normal is `outward`, off the
-  /// triangle: as the general path names it, which sees the whole triangle unless that leans further than `side_lean`.
+  /// The part that a place on the triangle lies on, for contacts whose normal `outward` leads away from the triangle:
+  /// as on the general path, which sees the whole triangle unless that leans further than `side_lean`.
   S part(const Vec3<S>& place, const Vec3<S>& outward) const {
     const S facing = this->facing(outward);
     const Mask whole = seen_whole(facing);
@@ -236,7 +237,8 @@ class TriangleRegions {
     }
     return select(whole, part_of_face(place, outward, facing), of_edge);
   }
-  /// The same where it is seen whole. `near_other`: how near an edge counts as that on what it meets, squared.
+  /// The part where the whole triangle is seen. `near_other`: squared distance within which parts of the other shape
+  /// count.
   S part_of_face(const Vec3<S>& place, const Vec3<S>& outward, const S& facing,
                  const S& near_other = S(infinity)) const {
     const SeenTriangle<S> seen = this->seen(outward, facing);
@@ -246,7 +248,7 @@ class TriangleRegions {
 
  private:
   static constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
-  /// Across an edge, in the triangle's plane, inward.
+  /// A vector perpendicular to an edge, in the triangle's plane, inward.
   Vec3<S> side(std::size_t i) const { return cross(across_, along_[i]); }
   NearTriangle<S> below(const Vec3<S>& p, const S& noise) const {
     using std::abs;
@@ -254,7 +256,7 @@ class TriangleRegions {
     const S height = dot(p - point_[0], normal), distance = abs(height);
     return {p - normal * height, select(height > S(0), normal, -normal), distance, distance > noise};
   }
-  /// That of the edge that it is nearest to, or of an end of that.
+  /// The part of the edge nearest to a place: the edge or one of its ends.
   S part_of_edge(const Vec3<S>& place) const {
     S least_squared(infinity), part(0);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -271,10 +273,10 @@ class TriangleRegions {
     return part;
   }
 
-  Vec3<S> point_[3], along_[3];  ///< along: the edge from a point to the next
-  S squared_[3];                 ///< of the edges
-  Vec3<S> across_;               ///< as long as twice the area, to the front
-  S area_squared_;               ///< of four times the square of the area
+  Vec3<S> point_[3], along_[3];  ///< `along_`: the edge from a point to the next
+  S squared_[3];                 ///< squared lengths of the edges
+  Vec3<S> across_;               ///< normal on the front side, as long as twice the area
+  S area_squared_;               ///< four times the square of the area
 };
 
 }  // namespace graze

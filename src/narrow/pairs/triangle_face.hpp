@@ -1,5 +1,5 @@
-// What of a triangle meets another shape along a normal, seen across it: the triangle, an edge of it or a vertex;
-// across lanes.
+// The feature of a triangle that meets another shape along a normal, projected along it: the triangle, an edge or a
+// vertex; across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone.
 #pragma once
@@ -9,27 +9,29 @@
 
 namespace graze::detail {
 
-/// How a triangle is seen along a normal of contact.
+/// A triangle as seen along a contact normal.
 template <class S>
 struct TriangleView {
-  S facing;           ///< the cosine between its front and the way to the other shape
-  FlatPoint<S> rise;  ///< its heights rise with a place by so much over `facing`
-  Vec3<S> far;        ///< how far each vertex is from the other shape
-  Vec3<S> fall;       ///< the cosine between the normal and each edge, without its sign
-  S most_fall;        ///< an edge that falls off more shows only its upper end; squared if `fall` is
+  S facing;           ///< cosine between its front normal and the direction to the other shape
+  FlatPoint<S> rise;  ///< gradient of its height, times `facing`
+  Vec3<S> far;        ///< distance of each vertex from the other shape
+  Vec3<S> fall;       ///< cosine between the normal and each edge, without its sign
+  S most_fall;        ///< an edge with a larger `fall` shows only its upper end; squared if `fall` is
 };
 
 template <class S>
 struct TriangleFace {
   using Mask = decltype(S() < S());
 
-  FlatVertex<S> vertex[3];  ///< the triangle, counter-clockwise; an edge is from the first to the second; or the first
+  FlatVertex<S> vertex[3];  ///< the triangle, counter-clockwise; for an edge, its ends are the first two; for a vertex,
+                            ///< the first
   FlatSide<S> side[3];
   Mask whole, edge, front;
-  FlatPoint<S> slope;  ///< how the vertices' `apart` changes
+  FlatPoint<S> slope;  ///< gradient of the vertices' `apart`
 
   TriangleFace() = default;
-  /// `vertex_at(i)` is the i-th, made in its place: one copied right after its numbers were written waits for them.
+  /// `vertex_at(i)` returns the i-th vertex and is called in place: a copy right after its numbers were stored waits
+  /// for them.
   template <class VertexAt>
   TriangleFace(const VertexAt& vertex_at, const TriangleView<S>& view, const S& rounding)
       : vertex{vertex_at(0), vertex_at(1), vertex_at(2)} {
@@ -51,13 +53,14 @@ struct TriangleFace {
   S apart_at(const FlatPoint<S>& p) const {
     return vertex[0].apart + (p.x - vertex[0].at.x) * slope.x + (p.y - vertex[0].at.y) * slope.y;
   }
-  /// The square of the shortest side; infinite of a vertex.
+  /// The squared length of the shortest side; infinite for a vertex.
   S shortest_squared() const {
     const S infinity(std::numeric_limits<typename LaneOf<S>::type>::infinity()),
         first = side[0].length_squared(), others = least(side[1].length_squared(), side[2].length_squared());
     return select(whole, least(first, others), select(edge, first, infinity));
   }
-  /// What of the triangle a point on it lies on, within `near`, which is given squared.
+  /// The part of the triangle that a point on it lies on; ends and edges count within the squared distance
+  /// `near_squared`.
   S part(const FlatPoint<S>& p, const S& near_squared) const {
     const auto edge_across = [&](std::size_t i) { return vertex[i].number + S(edge_part); };
     const auto on_end = [&](std::size_t i) { return distance_squared(p, vertex[i].at) <= near_squared; };
@@ -77,8 +80,8 @@ struct TriangleFace {
   }
 
  private:
-  /// Counter-clockwise, and the side of the smallest angle first: the one in the first half turn that follows one in
-  /// the second.
+  /// Makes the vertices counter-clockwise, and the side of the smallest angle first: the one in the first half turn
+  /// that follows one in the second.
   void put_sides_in_order() {
     const Mask clockwise = whole & (cross(vertex[0].at, vertex[1].at, vertex[2].at) < S(0));
     const FlatVertex<S> b = vertex[1], c = vertex[2];
@@ -92,8 +95,8 @@ struct TriangleFace {
     begin_with(whole & second_half[0] & (!second_half[1]), whole & second_half[1] & (!second_half[2]), vertex);
   }
 
-  /// Seen from the side, of the two edges at the vertex nearest to the other shape the one that falls off least; if
-  /// both fall off too much, the vertex.
+  /// Chooses what is seen from the side: of the two edges at the vertex nearest to the other shape the one that falls
+  /// off least; if both fall off too much, the vertex.
   void choose_edge(const TriangleView<S>& view) {
     const Vec3<S>& far = view.far;
     const Mask seen = !whole, top0 = (far.x <= far.y) & (far.x <= far.z), top1 = (!top0) & (far.y <= far.z),

@@ -1,8 +1,8 @@
 // A triangle on a half-space: the corners of its support face, each with its own height, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit, and the
-// lowest point's; the face, edge or corner is the one that `Triangle::core_face` gives, up to rounding of what it
-// leans, in its order. There is a point where the distance is within the margin, and only there.
+// lowest point's; the support face is the one that `Triangle::core_face` gives, up to rounding of its lean, with its
+// vertices in that order. There are points exactly where the distance is within the margin.
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
@@ -13,21 +13,21 @@ namespace graze {
 
 namespace detail {
 
-/// The part of a triangle that faces down, as its corners' numbers: all three, the two of an edge, or one.
+/// The support face of a triangle, downward, by its corners' numbers: all three, the two of an edge, or one.
 template <class S>
 struct LowFace {
   using Mask = decltype(S() < S());
 
-  Mask whole, edge;  ///< all of it, or an edge at least
+  Mask whole, edge;  ///< all three corners, or at least two
   S number[3];
 
-  /// `down`: unit. Of corners that are equally low the first counts.
+  /// `down`: unit. The first of equally low corners counts.
   LowFace(const TriangleCore<S>& triangle, const Vec3<S>& down) {
     const auto& p = triangle.point;
     const S zero(0), one(1), two(2), lean(face_lean<typename LaneOf<S>::type>);
     const auto direction = [](const Vec3<S>& v) { return direction_of(v, length(v)); };
     const Vec3<S> along[3] = {direction(p[1] - p[0]), direction(p[2] - p[1]), direction(p[0] - p[2])};
-    // Of unit edges: neither the normal nor its length depends on how large the triangle is.
+    // A product of unit edges: neither the normal nor its length depends on the size of the triangle.
     const Vec3<S> normal = cross(along[0], along[1]);
     const S squared = length_squared(normal);
     whole = (squared > zero) & (length_squared(cross(down, normal)) <= lean * lean * squared);
@@ -38,7 +38,7 @@ struct LowFace {
     const auto third = low[2] > select(second, low[1], low[0]);
     const S top = select(third, two, select(second, one, zero));
     const AxisPermutation<S> at(top);
-    // How steeply the edges rise from there; the flatter one counts, below which the other may lie.
+    // Slopes of the edges from there; the flatter one counts, below which the other may lie.
     const S rise[3] = {dot(along[0], down), dot(along[1], down), dot(along[2], down)};
     const S to_next = -at.pick(rise[0], rise[1], rise[2]), to_last = at.pick(rise[2], rise[0], rise[1]);
     const auto last_flatter = to_last < to_next;
@@ -53,8 +53,8 @@ struct LowFace {
 
 }  // namespace detail
 
-/// A triangle that is not rounded. `plane` is the height of the half-space's surface in its own frame; points up to
-/// `margin` above it.
+/// The contacts of a triangle without rounding. `plane` is the height of the half-space's surface in its own frame;
+/// points are found up to `margin` above it.
 template <class S>
 Rest<S> rest(const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose, const S& plane,
              const Pose<S>& plane_pose, const S& margin) {
@@ -69,7 +69,7 @@ Rest<S> rest(const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose, c
   Rest<S> found;
   found.distance = transform(seen, lowest).y - plane;
   found.up = rotate(plane_pose.rotation, plane_up);
-  // What lies as near as the lowest corner up to rounding is kept with it: a face that touches touches whole. No corner
+  // Corners level with the lowest up to rounding are kept with it, so that a face that touches touches whole. No corner
   // is further from the origin than twice its largest coordinate.
   const S size = greatest(max_abs(p[0]), greatest(max_abs(p[1]), max_abs(p[2]))),
           noise = S(T(2) * box_rounding<T>) * (size + max_abs(seen.translation)),

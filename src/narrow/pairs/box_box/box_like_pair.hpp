@@ -1,5 +1,5 @@
-// Boxes and what the same routines take for boxes: rectangles, which are boxes of no thickness, and untapered capsules,
-// which are rounded boxes that are only long.
+// Pairs of shapes that the box routines answer: boxes, rectangles, which are boxes of zero thickness, and untapered
+// capsules, which are rounded boxes with a length along one axis only.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct BoxLikePair {
   template <class T>
   using B = KindB<T>;
 
-  /// Nothing where no axis proves it.
+  /// The signed distance by the boxes' axes and corners; nothing where these do not prove it.
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<KindA<T>, T>& a, const InPlace<KindB<T>, T>& b) {
     if (!has_core(a.shape) || !has_core(b.shape)) return std::nullopt;

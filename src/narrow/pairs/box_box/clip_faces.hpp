@@ -1,8 +1,9 @@
-// Box against box, the points of contact: the face of one laid over the face of the other along a normal, across lanes.
+// Box against box, the points of contact: the face of one clipped by the face of the other along a normal, across
+// lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The points are the corners of the area that the faces
-// share, as `clip_faces` gives them, up to rounding; where what is nearest lies nearer than these by more than
-// `face_preference`, `known` says so.
+// Guarantee: in every lane the bits that the pair gives alone. The points are the corners of the intersection of the
+// faces, as `clip_faces` gives them, up to rounding; `known` is 0 where the boxes are nearer to each other elsewhere by
+// more than `face_preference`.
 #pragma once
 
 #include "graze/contact.hpp"
@@ -20,16 +21,16 @@ struct ContactSlot {
   T distance, part_a, part_b;
 };
 
-/// The points of contact, a slot each; which of the slots hold one is another matter in every lane.
+/// The points of contact, a slot each; each lane fills different slots.
 template <class S>
 struct ContactSlots {
   using Column = S[most_contact_slots];
 
   Vec3<S> normal;               ///< unit, from A to B, in the world
-  Column a[3], b[3], distance;  ///< the slots' numbers, each where its slot is
-  Column part_a, part_b;        ///< of A and of B: a number of `box_features`
+  Column a[3], b[3], distance;  ///< coordinates of the points and their distances, each by slot
+  Column part_a, part_b;        ///< parts of A and of B that the points lie on: indices into `box_features`
   S filled;                     ///< slot i holds a point: bit i of this number
-  S known;                      ///< not 0: what is nearest is among them, or hardly nearer
+  S known;                      ///< not 0: the nearest points are among these, or nearer by less than `face_preference`
 
   ContactSlot<S> slot(std::size_t i) const {
     return {{a[0][i], a[1][i], a[2][i]}, {b[0][i], b[1][i], b[2][i]}, distance[i], part_a[i], part_b[i]};
@@ -40,8 +41,9 @@ struct ContactSlots {
   }
 };
 
-/// What of a box `part_a` and `part_b` name: 9 times the number of a face, and 3 times where along the second of the
-/// axes that follow the face's and where along the first: 0 within, 1 at the negative side, 2 at the positive.
+/// Number of parts of a box in `part_a` and `part_b`: 9 times the number of a face, plus 3 times the place along the
+/// second of the axes that follow the face's, plus the place along the first: 0 within, 1 at the negative side, 2 at
+/// the positive.
 inline constexpr std::size_t box_part_count = 54;
 struct BoxFeatures {
   std::uint32_t of[most_parts]{};
@@ -57,33 +59,34 @@ struct BoxFeatures {
     }
   }
 };
-static constexpr BoxFeatures box_features;  // not inline: kernels of different levels share nothing
+static constexpr BoxFeatures box_features;  // not inline: kernels of different instruction sets share nothing
 
-/// The number of such a part: of a face, whose axis is the one of `axis`, at its negative side or at its positive.
+/// The part number of a face, the one across `axis` on its negative or positive side.
 template <class Axis, class M>
 auto face_part(const Axis& axis, const M& positive) {
   using S = typename Axis::Number;
   return axis.pick(S(0), S(18), S(36)) + S(9) * one_where<S>(positive);
 }
-/// Where along an axis of the face: as far out as `rim` either way, or within. Of a number or of several.
+/// The place along an axis of the face: 1 or 2 beyond `rim` either way, 0 within. For one number or for several.
 template <class S, class Some>
 Some part_along(const Some& at, const Some& rim) {
   return select(at >= rim, Some(S(2)), select(at <= -rim, Some(S(1)), Some(S(0))));
 }
 
-/// What makes points of contact of places on the face that clips.
+/// Makes points of contact of positions on the reference face.
 template <class S>
 struct BoxFaces {
   using Condition = decltype(S() < S());
 
-  S origin[3], x[3], y[3], up[3];  ///< in the world: its box's middle, the face's sides, its middle from the box's
-  S across[3];                     ///< unit, to the other box
-  S center[2], to_uv[4];           ///< the other face's middle, and from there to units of its sides
-  S rim[2], rim_uv[2];             ///< from where on a place is at the end of a side
-  S face, other_face;              ///< the numbers of the parts
-  Condition by_b;                  ///< the face is one of B's
+  S origin[3], x[3], y[3], up[3];  ///< in the world: the middle of its box, the directions of the face's sides, the
+                                   ///< face's middle from the box's
+  S across[3];                     ///< unit, towards the other box
+  S center[2], to_uv[4];           ///< middle of the incident face, and the map from there to units of its sides
+  S rim[2], rim_uv[2];             ///< bounds beyond which a position is at the end of a side
+  S face, other_face;              ///< part numbers of the two faces
+  Condition by_b;                  ///< the reference face is one of B's
 
-  /// `f` of every number.
+  /// A copy with `f` applied to every number.
   template <class F>
   BoxFaces each(const F& f) const {
     BoxFaces r;
@@ -97,7 +100,7 @@ struct BoxFaces {
     return r;
   }
 
-  /// Points of contact but for how far apart the boxes are there; of one place or of several.
+  /// Points of contact without the distance of the boxes there; one position or several.
   template <class Some>
   struct Points {
     Some a[3], b[3], part_a, part_b;
@@ -126,23 +129,23 @@ struct BoxFaces {
   }
 };
 
-/// Two boxes that meet: the corners of what their faces share, and what makes points of them.
+/// Two boxes in contact: the corners of the intersection of their faces, and the data to make points of them.
 template <class S>
 struct BoxMeeting {
   const detail::ContactPolygon<S>& corners;
   BoxFaces<S> faces;
   Vec3<S> normal;            ///< unit, from A to B, in the world
-  S limit;                   ///< of corners that are further apart no points are made
-  decltype(S() < S()) near;  ///< what is nearest is among the corners, or hardly nearer
+  S limit;                   ///< corners further apart give no points
+  decltype(S() < S()) near;  ///< the nearest points are among the corners, or nearer by less than `face_preference`
 };
 
-/// What the choice of an axis leaves to know for the points along it.
+/// Data for the points along a reference axis, apart from the axis itself.
 template <class S>
 struct BoxLimits {
   S axis;     ///< as in `BoxReferenceAxis`
-  S noise;    ///< rounding of a place
-  S margin;   ///< of corners that are further apart no points are made
-  S nearest;  ///< what is nearest is among the corners, or hardly nearer, where one of them is no further apart
+  S noise;    ///< rounding of a position
+  S margin;   ///< corners further apart give no points
+  S nearest;  ///< distance up to which a corner has to lie for the points to be known
 };
 template <class S>
 BoxLimits<S> box_limits(const BoxRows<S>& p, const BoxReferenceAxis<S>& choice, const S& margin) {
@@ -152,8 +155,8 @@ BoxLimits<S> box_limits(const BoxRows<S>& p, const BoxReferenceAxis<S>& choice, 
   return {choice.axis, noise, greatest(margin, choice.distance + noise), choice.distance + allowed};
 }
 
-/// Calls `f` with the `BoxMeeting` along the chosen axis. `pose_of(by_b)` gives the pose of B where the mask is set, of
-/// A elsewhere. Only for boxes within the margin of each other.
+/// Calls `f` with the `BoxMeeting` along the chosen axis. `pose_of(by_b)` returns the pose of B where the mask is set,
+/// of A elsewhere. Only for boxes within the margin of each other.
 template <class S, class PoseOf, class F>
 void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const PoseOf& pose_of, const F& f) {
   using std::abs, std::sqrt;
@@ -164,7 +167,7 @@ void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Pos
   const auto& face = seen.face;
   const Row &n = seen.normal, &half = seen.half;
 
-  // The other box's axes turned too, until its face's comes last.
+  // The incident box's axes permuted too, until that of its face comes last.
   const Row lean = transposed_times(seen.rotation, n);
   const auto other = detail::AxisLast<S>::longest(lean);
   const Row half_other = other(seen.half_other), z = other(seen.rotation.row[2]);
@@ -203,7 +206,7 @@ void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Pos
   const S nearest = corners.find_deepest();
   detail::simplify(corners, near);
 
-  // From the clipping box to the world.
+  // Transform from the frame of the reference box to the world.
   const PoseRows<S> clipping = pose_of(seen.by_b);
   const Rows<S> turn = face(transposed(clipping.rotation()));
   const Row &wx = turn.row[0], &wy = turn.row[1], &wz = turn.row[2],
@@ -227,7 +230,7 @@ void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Pos
   f(meeting);
 }
 
-/// The points of a meeting, in the world.
+/// Writes the points of a meeting, in the world.
 template <class S>
 void put_points(const BoxMeeting<S>& meeting, ContactSlots<S>& found) {
   using Some = typename detail::ContactPolygon<S>::Some;

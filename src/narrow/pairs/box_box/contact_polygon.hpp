@@ -1,7 +1,7 @@
-// The corners of an outline in a ring of slots, across lanes, and the ones taken out that mean nothing.
+// The contact polygon across lanes: its corners in a ring of slots, and its simplification.
 //
-// Guarantee: in every lane the bits that the pair gives alone. Corners that come twice and those that stand out too
-// little to mean anything are taken out as `simplify` does.
+// Guarantee: in every lane the bits that the pair gives alone. Duplicate corners and corners that hardly stand out are
+// removed as `simplify` of polygons does.
 #pragma once
 
 #include <limits>
@@ -12,44 +12,45 @@
 
 namespace graze {
 
-/// As many corners as a rectangle and a parallelogram laid over each other can have.
+/// Largest number of corners of the intersection of a rectangle and a parallelogram.
 inline constexpr std::size_t most_contact_slots = 8;
 
 namespace detail {
 
-/// Whether a direction is in the second half turn, from 180 to below 360 degrees.
+/// Whether the angle of a direction is from 180 to below 360 degrees.
 template <class S>
 auto in_second_half(const FlatPoint<S>& d) {
   return (d.y < S(0)) | ((d.y == S(0)) & (d.x < S(0)));
 }
 
-/// What the four sides of a face begin with: corners of an outline, where they are any.
+/// The starts of the four sides of a face that are corners of an outline.
 template <class S>
 struct Corners {
-  Packed<S, 4> x, y, apart;         ///< where, and how far the faces are apart there
-  typename Packed<S, 4>::Mask are;  ///< false: there is none
+  Packed<S, 4> x, y, apart;         ///< positions, and the distance of the faces there
+  typename Packed<S, 4>::Mask are;  ///< false where the side has no corner
 };
 
-/// Corners in order, of lanes, which have them in different slots, so that each slot has a mask that tells whether
-/// there is one. Those of a single pair (`single_ring.hpp`) close up, and what is done to all of them is done at once.
+/// Corners in order, in fixed slots: lanes have them in different slots, so that each slot has a mask of the lanes with
+/// a corner there. The polygon of a single pair (`single_contact_polygon.hpp`) has no gaps between slots, and its
+/// operations process several slots at once.
 template <class S>
 class ContactPolygon {
  public:
   using Mask = decltype(S() < S());
   using T = typename LaneOf<S>::type;
   static constexpr bool single = false;
-  /// So many corners are done at a time: each by itself, since many a slot has none in any lane.
+  /// Number of slots processed at a time: one, since many a slot is empty in all lanes.
   static constexpr int step = 1;
   using Some = Packed<S, step>;
   using Somes = typename Some::Mask;
-  /// A number of each corner.
+  /// A number for each corner.
   using Column = S[most_contact_slots];
   using All = Column;
 
   Column x, y, apart;
 
-  /// From the corners of a rectangle, whose sides run along x and y, and of a parallelogram, whose sides' directions p
-  /// and q come after x; `p_first` and `q_first` where they come before y.
+  /// Merges the corners of a rectangle, whose sides run along x and y, and of a parallelogram, whose sides' directions
+  /// p and q come after x; `p_first` and `q_first`: where they come before y.
   ContactPolygon(const Corners<S>& rectangle, const Corners<S>& parallelogram, const Mask& p_first,
                  const Mask& q_first) {
     const auto in_order = [&](const auto& of_rectangle, const auto& of_parallelogram,
@@ -71,7 +72,7 @@ class ContactPolygon {
     in_order(rectangle.are, parallelogram.are, is_);
   }
 
-  /// From corners in order, each of which may be none.
+  /// Takes corners in order, each of which may be absent.
   ContactPolygon(const All& all_x, const All& all_y, const All& all_apart, const Mask (&all_are)[most_contact_slots]) {
     for (std::size_t i = 0; i < most_contact_slots; ++i) {
       x[i] = all_x[i];
@@ -87,15 +88,15 @@ class ContactPolygon {
     for (const Mask& is : is_) sum = sum + select(is, S(1), S(0));
     return sum;
   }
-  /// The numbers from place `i` on; and of which of them there is a corner.
+  /// The numbers from slot `i` on. `are`: which of these slots hold a corner; `stay`: which hold the deepest.
   static Some some(const Column& column, std::size_t i) { return Some(column[i]); }
   static void put(Column& column, std::size_t i, const Some& numbers) { column[i] = numbers[0]; }
   Somes are(std::size_t i) const { return Somes::of(is_[i]); }
   Somes stay(std::size_t i) const { return Some(S(static_cast<T>(i))) == Some(deepest_); }
-  /// The sum of two to the power of each of the places from `i` on that are set.
+  /// The sum of two to the power of each set slot, counted from slot `i`.
   static S as_bits(std::size_t i, const Somes& set) { return select(set[0], S(static_cast<T>(1 << i)), S(0)); }
 
-  /// How far the faces are apart at the deepest corner, the first such, which is to stay.
+  /// The distance of the faces at the deepest corner, the first of equal ones, which `simplify` keeps.
   S find_deepest() {
     const S none(std::numeric_limits<T>::infinity());
     S low = none;
@@ -108,7 +109,7 @@ class ContactPolygon {
     return low;
   }
 
-  /// Takes corners out, of those from place `i` on; they are gone after `close_up`.
+  /// Marks corners, from slot `i` on, as removed; `close_up` completes the removal.
   void drop(std::size_t i, const Somes& corners) {
     const Mask one[step] = {corners[0]};
     drop(i, one);
@@ -117,7 +118,7 @@ class ContactPolygon {
     gone_ = gone_ | (is_[i] & corners[0]);
     is_[i] = is_[i] & (!corners[0]);
   }
-  /// Whether there were any.
+  /// Completes the removal of corners. Returns whether there were any.
   bool close_up() {
     const bool found = any(gone_);
     gone_ = S(0) < S(0);
@@ -125,7 +126,7 @@ class ContactPolygon {
   }
   const Mask* is() const { return is_; }
 
-  /// Whether there is a corner at place `i`, and where.
+  /// Whether there is a corner in slot `i`, and its position.
   Mask has(std::size_t i) const { return is_[i]; }
   FlatPoint<S> at(std::size_t i) const { return {x[i], y[i]}; }
   const S& apart_at(std::size_t i) const { return apart[i]; }
@@ -136,8 +137,8 @@ class ContactPolygon {
   Mask gone_ = S(0) < S(0);
 };
 
-/// Of a number of each corner in a ring, that of the corner before it and of the one that follows; where there is no
-/// corner, whatever.
+/// For a number of each corner of a polygon, the numbers of the corner before it and of the corner after it; undefined
+/// for empty slots.
 template <class S>
 class Around {
  public:
@@ -158,7 +159,7 @@ class Around {
       last = select(is[i], values[i], last);
     }
   }
-  /// For the corners from place `i` on.
+  /// The numbers of the neighbours of the corners from slot `i` on.
   Some before(std::size_t i) const { return Some(before_[i]); }
   Some after(std::size_t i) const { return Some(after_[i]); }
 
@@ -166,9 +167,10 @@ class Around {
   S before_[most_contact_slots], after_[most_contact_slots];
 };
 
-/// Drops corners as `simplify` does: those that stand out by less than `near`, while no more than `spared_area` is
-/// lost; the deepest, which has been found, always stays. Where `simplify` takes the least of all, each pass takes
-/// those that are less than their neighbours, which are gone in two passes as a rule.
+/// Removes corners as `simplify` of polygons does: those that stand out by less than `near`, while no more than
+/// `spared_area` is lost; the deepest, which must have been found, always stays. Where `simplify` of polygons removes
+/// the single least corner each time, a pass here removes all corners that are less than their neighbours; as a rule
+/// two passes do.
 template <class S>
 void simplify(ContactPolygon<S>& ring, const S& near) {
   using std::abs;
@@ -181,21 +183,21 @@ void simplify(ContactPolygon<S>& ring, const S& near) {
   const S near_squared = near * near;
   const Some together(S(same_point<T>) * near_squared), infinity{S(std::numeric_limits<T>::infinity())}, zero(S(0));
   const auto places = [&](std::size_t i) { return Places{ring.some(ring.x, i), ring.some(ring.y, i)}; };
-  // Of a single pair the areas are summed up where it is asked for: few have a corner that means nothing.
+  // For a single pair the areas are summed up on demand: few have a corner to be removed.
   S budget(ContactPolygon<S>::single ? std::numeric_limits<T>::infinity() : T(0));
   typename ContactPolygon<S>::Column areas;
   const auto sum_up = [&](std::size_t i) {
     for (int k = 0; k < step; ++k) budget = budget + ring.some(areas, i)[k];
   };
   const auto spare = [&] { budget = abs(budget) * S(T(spared_area)); };
-  const std::size_t size = ring.size();  // before any is gone
+  const std::size_t size = ring.size();  // size before any removal
   Around<S> x(ring, ring.x), y(ring, ring.y);
   for (std::size_t i = 0; i < ring.size(); i += step) {
     const Places p = places(i), q{x.after(i), y.after(i)};
     const Somes are = ring.are(i);
     ring.put(areas, i, select(are, p.x * q.y - p.y * q.x, zero));
     if constexpr (!ContactPolygon<S>::single) sum_up(i);
-    // Corners that came twice go first, all at once but for one.
+    // Duplicate corners are removed first, all at once but for one.
     const Somes again = are & (distance_squared(p, q) <= together) & (!ring.stay(i));
     ring.drop(i, again);
   }
@@ -233,7 +235,7 @@ void simplify(ContactPolygon<S>& ring, const S& near) {
       if (!any(movable)) return;
     }
     const Around<S> around_lost(ring, lost), around_apart(ring, ring.apart);
-    // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
+    // Both ends of a trapezoid's side cost the same: the shallower is removed, or rounding would choose.
     const auto level = [&](const Some& p, const Some& q) { return abs(p - q) <= Some(S(T(same_cost))) * least(p, q); };
     Mask dropped = ring.count() < S(0);
     for (std::size_t i = 0; i < ring.size(); i += step) {

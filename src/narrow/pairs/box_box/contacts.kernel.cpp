@@ -10,7 +10,7 @@ namespace {
 template <class T>
 using Boxes = PairBundle<Box<T>, Box<T>, T>;
 
-/// Moves the pairs that wait to the front, of which there is less than a block.
+/// Moves the waiting pairs, fewer than a block, to the front.
 template <class T>
 [[gnu::always_inline]] inline void move_up(MetBoxes<T>& met) {
   if (met.first == 0) return;
@@ -22,8 +22,8 @@ template <class T>
   met.first = 0;
 }
 
-/// The pairs of a bundle of which `filled` lanes hold one, whose places are counted from `place` on: those within their
-/// margins go to `met`, the places of the others to `apart`, and how many these are is added.
+/// Sorts the pairs of a bundle, of which `filled` lanes hold one, with places counted from `place` on: pairs within
+/// their margins go to `met`, the places of the others to `apart`, whose number is added to `apart_count`.
 template <class T, class S, class M>
 void sort_out(const BoxRows<S>& p, const PoseRows<S>& pose_a, const PoseRows<S>& pose_b, const S& margin,
               const M& regular, std::uint32_t filled, std::uint32_t place, MetBoxes<T>& met, std::uint32_t* apart,
@@ -53,7 +53,7 @@ void sort_out(const BoxRows<S>& p, const PoseRows<S>& pose_a, const PoseRows<S>&
   put(To::clipping + 3, clipping.vector);
   put(To::clipping + 6, Numbers(clipping.w.part[0]));
   const BoxLimits<S> limits = box_limits(p, choice, margin);
-  // Of boxes that are not regular nothing is known, whatever the numbers say.
+  // Nothing is known about irregular boxes, whatever the numbers are.
   const S nearest = select(regular, limits.nearest, S(std::numeric_limits<T>::quiet_NaN()));
   put(To::limits, Packed<S, 4>(limits.axis, limits.noise, limits.margin, nearest));
   put(To::distance, Numbers(choice.distance));
@@ -89,7 +89,7 @@ template <class T, class S, class Form>
       block);
 }
 
-/// Writes the points of the next `count` pairs that wait.
+/// Writes the points of the next `count` waiting pairs.
 template <class T, class Form>
 [[gnu::always_inline]] inline void put_points_of(const MetBoxes<T>& met, std::size_t count,
                                                  PointBlock<T, Form>& block) {

@@ -1,15 +1,15 @@
-// Box against box: the signed distance with its two points, across lanes.
+// Box against box: the signed distance with its two witness points, across lanes.
 //
-// Guarantee: where it says `proven`, the distance is right up to rounding, whether the boxes overlap or not: no
-// direction parts them by more, and the two points, which lie on the boxes, are no further apart. In every lane the
+// Guarantee: where `proven` is set, the distance is right up to rounding, whether the boxes overlap or not: no
+// direction separates them by more, and the two points, which lie on the boxes, are no further apart. In every lane the
 // bits that the pair gives alone.
 //
-// The nearest points of two convex polyhedra that are apart are a vertex and what is nearest to it, or lie within two
-// edges that cross (Mirtich 1998, "V-Clip: fast and robust polyhedral collision detection", section 2). In the second
-// case the edges' common normal shows the whole distance as a gap, which no other axis exceeds. So the best of the
-// fifteen axes and the sixteen corners tell. Each answer proves itself: its points are as far apart as the boxes are
-// along its normal. Of boxes that overlap, the best axis shows the depth. Moved apart along it they have the same
-// points nearest.
+// The nearest points of two disjoint convex polyhedra are a vertex and the point nearest to it, or lie within two edges
+// that cross (Mirtich 1998, "V-Clip: fast and robust polyhedral collision detection", section 2). In the second case
+// the separation along the edges' common normal is the whole distance, which no other axis exceeds. So the best of the
+// fifteen axes and the sixteen corners suffice. Each answer proves itself: its points are as far apart as the boxes are
+// along its normal. For overlapping boxes the best axis gives the depth. Moved apart along it they have the same
+// nearest points.
 #pragma once
 
 #include "graze/result.hpp"
@@ -20,14 +20,14 @@
 
 namespace graze {
 
-/// What is nearest of two boxes, or deepest, in the frame of A.
+/// The witness points of two boxes and their signed distance, in the frame of A.
 template <class S>
 struct BoxNearest {
   using Mask = decltype(S() < S());
   CoreDistance<S> core;
   Mask proven;
 
-  /// Where it is not proven, what is by `next`.
+  /// Takes the answer of `next` where it is proven and this one is not.
   void otherwise(const BoxNearest& next) {
     const Mask take = next.proven & (!proven);
     core = select(take, next.core, core);
@@ -35,19 +35,19 @@ struct BoxNearest {
   }
 };
 
-/// Roundings of a coordinate by which a point may miss the box that it lies on: less than what `laid_slack` allows.
+/// Roundings of a coordinate by which a witness point may miss the box that it lies on: fewer than `laid_slack`.
 inline constexpr double witness_slack = 16;
 
 namespace detail {
 
-/// Two boxes as they meet along an axis, seen from the one whose face is a rectangle then.
+/// Two boxes as they meet along an axis, seen from the reference box: the one whose face is a rectangle then.
 template <class S>
 struct MeetingBoxes {
   using Mask = decltype(S() < S());
 
-  Mask by_b;         ///< that one is B
-  Vec3<S> normal;    ///< from it to the other; of a face exactly one of its axes
-  BoxPair<S> boxes;  ///< that one as A
+  Mask by_b;         ///< the reference box is B
+  Vec3<S> normal;    ///< from the reference box to the other; for a face exactly one of its axes
+  BoxPair<S> boxes;  ///< the pair with the reference box as A
 
   MeetingBoxes(const BoxPair<S>& p, const S& axis) {
     const S zero(0), one(1);
@@ -65,7 +65,7 @@ struct MeetingBoxes {
   }
 
  private:
-  /// The unit vector of A's i-th axis times B's j-th, from A to B, by 3 i + j.
+  /// The unit vector of the product of A's i-th axis with B's j-th, from A to B, by the number 3 i + j.
   static Vec3<S> of_product(const BoxPair<S>& p, const S& number) {
     using std::sqrt;
     const S zero(0), first = select(number < S(3), zero, select(number < S(6), S(1), S(2)));
@@ -77,7 +77,7 @@ struct MeetingBoxes {
   }
 };
 
-/// The corner of a box that lies furthest along a direction given in its frame.
+/// The corner of a box that lies furthest along a direction, both in the box's frame.
 template <class S>
 Vec3<S> corner_along(const Vec3<S>& half, const Vec3<S>& direction) {
   const auto side = [](const S& h, const S& d) { return select(d < S(0), -h, h); };
@@ -90,7 +90,7 @@ auto inside_box(const Vec3<S>& half, const Vec3<S>& p, const S& slack) {
   return (a.x <= half.x + slack) & (a.y <= half.y + slack) & (a.z <= half.z + slack);
 }
 
-/// In the frame of A what is in that of B, from B to A.
+/// An answer in the frame of B, from B to A, as one in the frame of A, from A to B.
 template <class S>
 CoreDistance<S> seen_from_a(const BoxPair<S>& p, const CoreDistance<S>& d) {
   return {d.distance, -(p.rotation * d.normal), p.rotation * d.b + p.translation, p.rotation * d.a + p.translation};
@@ -98,7 +98,7 @@ CoreDistance<S> seen_from_a(const BoxPair<S>& p, const CoreDistance<S>& d) {
 
 }  // namespace detail
 
-/// By the points in which the boxes meet along one axis of known separation: a corner over a face, or two edges.
+/// The points in which the boxes meet along one axis of known separation: a corner over a face, or two edges.
 template <class S>
 BoxNearest<S> along_axis(const BoxPair<S>& p, const S& axis, const S& separation, const S& slack) {
   using namespace detail;
@@ -108,7 +108,7 @@ BoxNearest<S> along_axis(const BoxPair<S>& p, const S& axis, const S& separation
   const Vec3<S>& n = m.normal;
   const Mask of_edges = axis >= S(6);
   const S first = select(axis < S(9), S(0), select(axis < S(12), S(1), S(2)));
-  // Of no meaning for an axis of a face.
+  // Meaningless for an axis of a face.
   const AxisPermutation<S> i(first), j(select(of_edges, axis - S(6) - first * S(3), S(0)));
   Vec3<S> reach = corner_along(m.boxes.half_b, -transposed_times(m.boxes.rotation, n));
   if (any(of_edges)) reach = select(of_edges, j.without(reach), reach);
@@ -135,14 +135,14 @@ BoxNearest<S> along_axis(const BoxPair<S>& p, const S& axis, const S& separation
 
 namespace detail {
 
-/// How far a point is beyond the faces of a box: zero along the axes between whose two faces it is.
+/// The offset of a point beyond the faces of a box, by axis: zero along axes between whose two faces it lies.
 template <class S>
 Vec3<S> beyond(const Vec3<S>& half, const Vec3<S>& point) {
   const auto past = [](const S& h, const S& x) { return greatest(x - h, S(0)) + least(x + h, S(0)); };
   return {past(half.x, point.x), past(half.y, point.y), past(half.z, point.z)};
 }
 
-/// By the corner of B that is nearest to A. Boxes that are apart.
+/// The distance by the corner of B that is nearest to A, for disjoint boxes.
 template <class S>
 BoxNearest<S> at_corner_of_b(const BoxPair<S>& p, const S& slack) {
   using std::sqrt;
@@ -152,7 +152,8 @@ BoxNearest<S> at_corner_of_b(const BoxPair<S>& p, const S& slack) {
   S squared(std::numeric_limits<T>::infinity()), number(0);
   for (int k = 0; k < 8; ++k) {
     const Vec3<S> at_x = k & 1 ? p.translation + x : p.translation - x, at_xy = k & 2 ? at_x + y : at_x - y;
-    // Twice how far beyond, without a comparison: alone that would be a jump that nobody foresees.
+    // Twice the offset beyond the faces, without a comparison, which for a single pair would be an unpredictable
+    // branch.
     const Vec3<S> past = abs(k & 4 ? at_xy + z : at_xy - z) - p.half_a;
     const S s = length_squared(past + abs(past));
     number = select(s < squared, S(T(k)), number);
@@ -165,15 +166,15 @@ BoxNearest<S> at_corner_of_b(const BoxPair<S>& p, const S& slack) {
   const Vec3<S> corner = p.translation + select(at_x, x, -x) + select(at_y, y, -y) + select(at_z, z, -z),
                 gap = beyond(p.half_a, corner);
   const S distance = sqrt(squared), scale = S(1) / select(squared > S(0), distance, S(1));
-  // Along the gap nothing of A is further out than the point that it begins on. What other corners of B reach further
-  // in is missing of the proof.
+  // Along the gap no point of A is further out than the one it begins at. Other corners of B that reach further in are
+  // what the proof lacks.
   const S missing = dot(corner - p.translation, gap) + dot(abs(transposed_times(p.rotation, gap)), p.half_b);
   const decltype(S() < S()) proven = (squared > S(0)) & (missing <= slack * distance);
   return {{distance, gap * scale, corner - gap, corner}, proven};
 }
 
-/// By the corner of either box that is nearest to the other one. Two that are as near up to rounding may differ in what
-/// they prove.
+/// The distance by the corner of either box that is nearest to the other one. Of two corners that are equally near up
+/// to rounding, one may prove the distance and the other not.
 template <class S>
 BoxNearest<S> at_corner(const BoxPair<S>& p, const S& slack) {
   BoxNearest<S> nearest = at_corner_of_b(p, slack);
@@ -184,8 +185,8 @@ BoxNearest<S> at_corner(const BoxPair<S>& p, const S& slack) {
   return nearest;
 }
 
-/// By a place where the rim of a face crosses that of the face it meets along a face's axis: what tells where the two
-/// are parallel and no corner of either lies over the other. `separation`: along that axis.
+/// The distance at a point where the rim of a face crosses that of the face it meets along a face's axis: decides where
+/// the two are parallel and no corner of either lies over the other. `separation` is that along the axis.
 template <class S>
 BoxNearest<S> at_crossing(const BoxPair<S>& p, const S& axis, const S& separation, const S& slack) {
   using T = typename LaneOf<S>::type;
@@ -198,7 +199,7 @@ BoxNearest<S> at_crossing(const BoxPair<S>& p, const S& axis, const S& separatio
                 v = face.pick(c[2], c[0], c[1]) * half.y,
                 middle =
                     m.boxes.translation - face.pick(c[0], c[1], c[2]) * select(face.pick(lean) < S(0), -half.z, half.z);
-  // Across the face that is met nothing ends.
+  // Across the reference face the region has no end.
   const S infinity(std::numeric_limits<T>::infinity()), vanishing = slack * S(epsilon<S>);
   Vec3<S> reach;
   for (std::size_t k = 0; k < 3; ++k) reach[k] = select(n[k] == S(0), m.boxes.half_a[k], infinity);
@@ -235,7 +236,7 @@ BoxNearest<S> at_crossing(const BoxPair<S>& p, const S& axis, const S& separatio
 
 }  // namespace detail
 
-/// By all fifteen axes, and the corners where these do not tell. `noise`: what rounding may do to a coordinate.
+/// The distance by all fifteen axes, and by the corners where these do not prove it. `noise`: rounding of a coordinate.
 template <class S>
 BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   using T = typename LaneOf<S>::type;
@@ -257,7 +258,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   const BoxNearest<S> along = along_axis(p, axis, separation, slack);
   nearest.otherwise(along);
   if (all(nearest.proven)) return nearest;
-  // Boxes that overlap with parallel features are moved apart, by so much that the gap has all its digits.
+  // Overlapping boxes with parallel features are moved apart, far enough that the gap has all its digits.
   const S moved = select(separation > noise, S(0), max_abs(p.half_a) + max_abs(p.half_b) - separation);
   const Vec3<S> away = along.core.normal * moved;
   BoxPair<S> moved_apart = p;
@@ -265,8 +266,8 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   BoxNearest<S> corner = detail::at_corner(moved_apart, slack);
   corner.core.distance -= moved;
   corner.core.b -= away;
-  // A corner that hangs over a rim by less than the square root of a rounding is as near as the face, from so far away.
-  // Moved back, it lies beside the way along the normal by as much.
+  // After the move, a corner that hangs over a rim by less than the square root of a rounding is as near as the face.
+  // Moved back, it lies off the normal by as much.
   const CoreDistance<S>& core = corner.core;
   const Vec3<S> beside = core.b - core.a - core.normal * core.distance;
   corner.proven = corner.proven & (length_squared(beside) <= slack * slack);
@@ -276,7 +277,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   return nearest;
 }
 
-/// A box in place, rounded or not. It may have no length along some of its sides: a capsule is a box that is only long.
+/// A box in place, rounded or not. It may have zero length along some axes: a capsule is a box with a length along one.
 template <class S>
 struct PlacedBox {
   Vec3<S> half;
@@ -303,7 +304,7 @@ struct BoxDistance {
   decltype(S() < S()) proven;
 };
 
-/// One function: numbers stay in registers, which is a sixth of its time.
+/// One function: numbers stay in registers, which saves a sixth of its time.
 template <class S>
 GRAZE_FLATTEN BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox<S>& b) {
   using std::abs;
@@ -312,7 +313,7 @@ GRAZE_FLATTEN BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox
   const S noise = box_noise(p, length(a.half) + a.radius, length(b.half) + b.radius), radii = a.radius + b.radius;
   const BoxNearest<S> nearest = nearest_of_boxes(p, noise);
   const CoreDistance<S>& core = nearest.core;
-  // What rounding cannot tell from touching touches. Half of the answer on each side of the middle of the two points,
+  // A gap within rounding counts as touching. Half of the distance goes to each side of the middle of the two points,
   // so that b - a = distance * normal to the last bits.
   const S distance = select(abs(core.distance - radii) <= noise, radii, core.distance), half = distance * S(T(0.5));
   const Vec3<S> middle = (core.a + core.b) * S(T(0.5));

@@ -1,4 +1,4 @@
-// Boxes, and capsules as boxes that are only long, a register of pairs at a time in double.
+// Boxes, and capsules as boxes with a length along one axis, a register of pairs at a time in double.
 #include "narrow/batch/pair_bundle.hpp"
 #include "narrow/pairs/box_box/distance_lanes.hpp"
 #include "narrow/pairs/capsule_box.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using S = Lanes<double>;
 
-/// Rounded to T.
+/// The numbers rounded to T, still in double.
 template <class T>
 [[gnu::always_inline]] inline S rounded_to(const S& x) {
   if constexpr (sizeof(T) == 8) return x;

@@ -1,5 +1,5 @@
-// The distances of boxes and of what is asked as one (`box_like_pair.hpp`), a register of pairs at a time in double.
-// Only for `*.kernel.cpp`.
+// The distances of boxes and of box-like shapes (`box_like_pair.hpp`), a register of pairs at a time in double. Only
+// for `*.kernel.cpp`.
 //
 // Guarantee: in every lane the bits that the pair gives alone; everything is inlined or has a copy in each file.
 #pragma once
@@ -18,13 +18,13 @@ template <std::size_t part, class L>
           GRAZE_ISA::in_double<part>(box.pose)};
 }
 
-/// Compiled once a file.
+/// The distance of a register of pairs, compiled once a file.
 [[gnu::noinline, gnu::flatten]] void answer(const PlacedBox<Lanes<double>>& a, const PlacedBox<Lanes<double>>& b,
                                             BoxDistance<Lanes<double>>& found) {
   found = box_distance(a, b);
 }
 
-/// The distances of a bundle, and in which lanes they are known.
+/// The distances of a bundle, and the lanes in which they are known.
 template <class T>
 struct BundleDistances {
   CoreDistance<Lanes<T>> at;

@@ -1,8 +1,9 @@
-// Box against box that moves without turning: the ray from the origin against their difference, whose facets all stand
-// across the fifteen axes, is clipped by one slab an axis (Kay, Kajiya 1986, "Ray tracing complex scenes").
+// Box against box moving without turning: the ray from the origin against their Minkowski difference, whose facets are
+// all normal to one of the fifteen axes, is clipped by one slab an axis (Kay, Kajiya 1986, "Ray tracing complex
+// scenes").
 //
-// Guarantee: until the time returned some axis parts the boxes by at least the gap asked for; when that is never to
-// end, the axes prove it.
+// Guarantee: until the returned time some axis separates the boxes by at least the given gap; where that time is
+// infinite, the axes prove it.
 #pragma once
 
 #include <optional>
@@ -12,19 +13,19 @@
 namespace graze {
 
 struct BoxTranslation {
-  double t;                                    ///< infinity when they stay apart throughout
-  std::optional<CoreDistance<double>> impact;  ///< at that time, where the axis tells it
+  double t;                                    ///< infinity when the boxes stay apart throughout
+  std::optional<CoreDistance<double>> impact;  ///< witness points at that time, where the axis gives them
 };
 
 namespace detail {
 
-/// What is left of the time in which no axis parts the boxes.
+/// The interval of time in which no axis separates the boxes.
 class SlabClip {
  public:
   SlabClip(double gap, double duration) : gap_(gap), end_(duration) {}
 
-  /// An axis of squared length `squared` along which the centres are `middle` apart and move by `pace`, the boxes being
-  /// `reach` wide from centre to centre.
+  /// Clips by an axis of squared length `squared` along which the centres are `middle` apart and move by `pace`, the
+  /// boxes being `reach` wide from centre to centre.
   void clip(double middle, double pace, double reach, double squared, int number) {
     const double rate = std::abs(pace), against = pace > 0 ? -middle : middle;
     if (!(rate > 0)) {
@@ -41,7 +42,7 @@ class SlabClip {
     number_ = number;
   }
   bool never() const { return begin_ > end_; }
-  /// Whether some axis parts them at the begin.
+  /// Whether some axis separates the boxes at time 0.
   bool apart() const { return number_ >= 0; }
   double begin() const { return begin_; }
   int number() const { return number_; }
@@ -51,7 +52,7 @@ class SlabClip {
   int number_ = -1;
 };
 
-/// How far the boxes are apart along the axis of a number, as they stand.
+/// The separation of the boxes in their present poses along the axis with this number.
 inline double separation_along(const BoxPair<double>& p, int number) {
   const auto k = static_cast<std::size_t>(number);
   Vec3d n = k < 3 ? unit_axis<double>(k) : p.rotation.column(k % 3);
@@ -63,8 +64,8 @@ inline double separation_along(const BoxPair<double>& p, int number) {
 
 }  // namespace detail
 
-/// B moves by `velocity` for `duration` and is to stay `gap` > 0 from A. Nothing when no axis parts them by that at the
-/// begin. Points of an impact may be off their boxes by `slack`.
+/// The time until which B, which moves by `velocity` for `duration`, stays `gap` > 0 away from A. Nothing when no axis
+/// separates them by that at the beginning. Witness points of an impact may be off their boxes by `slack`.
 inline std::optional<BoxTranslation> box_translation(BoxPair<double> p, const Vec3d& velocity, double gap,
                                                      double duration, double slack) {
   const Mat3d absolute = abs(p.rotation);

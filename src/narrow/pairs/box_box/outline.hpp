@@ -1,12 +1,12 @@
-// A rectangle and a parallelogram laid over each other: the outline of what they share, across lanes.
+// The outline of the intersection of a rectangle and a parallelogram, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. No corner is lost to rounding; one may come twice, and
-// `simplify` takes those and the ones out that stand out too little to mean anything, as `simplify` does.
+// `simplify` removes duplicates and corners that hardly stand out.
 //
 // Each of the eight sides, clipped by the other outline (Liang, Barsky 1984, "A new concept and method for line
-// clipping"), is a side of the shared area or none, and begins at a corner of it; and sides of a convex area follow
-// each other by their directions, which are the same four for any rectangle, with two of the parallelogram's in every
-// half turn. So corners come out in order without a sort.
+// clipping"), is a side of the intersection or empty, and begins at a corner of it; and the sides of a convex area
+// follow each other by their directions, which are the same four for any rectangle, with two of the parallelogram's in
+// every half turn. So corners come out in order without a sort.
 #pragma once
 
 #include <utility>
@@ -15,23 +15,24 @@
 
 namespace graze::detail {
 
-/// Two faces seen along a normal, in coordinates along the sides of the one that is a rectangle then. Both sides of a
-/// parallelogram are four numbers, the one's x and y and the other's.
+/// Two faces seen along a normal, in coordinates along the sides of the reference face, which is a rectangle. The two
+/// half sides of the parallelogram are stored in four numbers, x and y of the first and of the second.
 template <class S>
 struct ClippedFaces {
   using Four = Packed<S, 4>;
 
-  FlatPoint<S> half;      ///< of the rectangle, about the origin
-  FlatPoint<S> center;    ///< the parallelogram's middle
-  Four sides;             ///< u and v, half of its sides
+  FlatPoint<S> half;      ///< half lengths of the rectangle, about the origin
+  FlatPoint<S> center;    ///< middle of the parallelogram
+  Four sides;             ///< u and v, the half sides of the parallelogram
   S turn;                 ///< their cross product
-  Four to_uv;             ///< a place relative to the middle in units of u, and of v: by scalar products with these
-  S apart;                ///< how far the faces are apart at the middle
-  FlatPoint<S> slope;     ///< and how that changes
-  S slack;                ///< rounding of a place
-  FlatPoint<S> slack_uv;  ///< the same in units of u and v
+  Four to_uv;             ///< coordinates of an offset from the middle in units of u and of v, by scalar products with
+                          ///< these
+  S apart;                ///< distance of the faces at the middle
+  FlatPoint<S> slope;     ///< gradient of that distance
+  S slack;                ///< rounding of a position
+  FlatPoint<S> slack_uv;  ///< rounding of a position in units of u and v
 
-  /// The outline of the shared area.
+  /// The outline of the intersection.
   ContactPolygon<S> shared() const {
     // Both sides' directions in the upper half plane, u's angle the smaller: the parallelogram stays the same.
     const Four zero(S(0));
@@ -45,18 +46,18 @@ struct ClippedFaces {
   }
 
  private:
-  /// Opposite sides are clipped as one and as its mirror image: against its direction a region begins where it ends
-  /// along it, at the negative of the mirrored middle.
+  /// Signs of opposite sides, which are clipped as one side and its mirror image: in the opposite direction an interval
+  /// begins where it ends in the original one, at the negative of the mirrored middle.
   static Four signs() { return {S(1), S(1), S(-1), S(-1)}; }
 
-  /// The middles of a parallelogram's sides, in turn: about `at`, from the half sides' x (0) or y (1).
+  /// The middles of a parallelogram's sides, in turn around it: `at` plus the half sides' x (0) or y (1).
   template <int xy>
   static Four middles(const S& at, const Four& half_sides) {
     return Four(at) + mixed<2 + xy, 4 + xy, 6 + xy, xy>(-half_sides, half_sides);
   }
 
-  /// Where along sides with those middles a region begins that reaches so far both ways, from -1 to 1 and back on the
-  /// opposite ones; whether it does at all. `vanishing`: what a direction may rise by and be across.
+  /// The parameters, from -1 to 1 and back on the opposite sides, at which sides with those middles enter a region that
+  /// reaches so far both ways; and whether they do. `vanishing`: least component of a direction that is divided by.
   static std::pair<Four, typename Four::Mask> begin(const Four& half_sides, const Four& middle_x, const Four& middle_y,
                                                     const FlatPoint<S>& reach, const FlatPoint<S>& vanishing) {
     const Four least_rise{vanishing.x, vanishing.y, vanishing.x, vanishing.y},
@@ -69,7 +70,7 @@ struct ClippedFaces {
     return {low * signs(), low <= high};
   }
 
-  // A side that the slack alone lets pass doubles a corner; without it rounding might lose one.
+  // The slack may let a side pass and so double a corner; without it rounding might lose one.
   Corners<S> of_parallelogram(const Four& pq) const {
     const FlatPoint<S> reach{half.x + slack, half.y + slack}, vanishing{slack * S(epsilon<S>), slack * S(epsilon<S>)};
     const Four x = middles<0>(center.x, pq), y = middles<1>(center.y, pq);

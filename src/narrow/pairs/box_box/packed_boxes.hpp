@@ -1,5 +1,5 @@
-// Two boxes, their numbers in rows of three: what is done to three at once takes a third of the instructions of a
-// single pair, and no more across lanes.
+// Two boxes with their numbers packed in rows of three: operations on three numbers at once take a third of the
+// instructions for a single pair, and no more across lanes.
 //
 // Guarantee: the bits of `relative_frame`.
 #pragma once
@@ -10,14 +10,14 @@
 
 namespace graze {
 
-/// Two boxes in the frame of A. `rotation`'s columns are B's axes.
+/// Two boxes in the frame of A. The columns of `rotation` are B's axes.
 template <class S>
 struct BoxPair {
   Vec3<S> half_a, half_b, translation;
   Mat3<S> rotation;
 };
 
-/// The same two in the frame of B, which comes first.
+/// The two boxes in the frame of B, with B first.
 template <class S>
 BoxPair<S> seen_from_b(const BoxPair<S>& p) {
   return {p.half_b, p.half_a, -transposed_times(p.rotation, p.translation), transposed(p.rotation)};
@@ -28,7 +28,7 @@ BoxPair<S> select(const M& condition, const BoxPair<S>& yes, const BoxPair<S>& n
           select(condition, yes.translation, no.translation), select(condition, yes.rotation, no.rotation)};
 }
 
-/// A matrix by its rows.
+/// A matrix by its rows, packed.
 template <class S>
 struct Rows {
   Packed<S, 3> row[3];
@@ -45,8 +45,8 @@ Packed<S, 3> transposed_times(const Rows<S>& m, const Packed<S, 3>& v) {
   return m.row[0] * spread<0>(v) + m.row[1] * spread<1>(v) + m.row[2] * spread<2>(v);
 }
 
-/// As `rotation_of`, of a quaternion's vector and its real part, which is given three times. `per` is two over the
-/// square of its length and `unit` one; or two and that square, for the matrix times it.
+/// The rotation matrix of a quaternion, given by its vector part and its real part three times. `per` is two over the
+/// squared length of the quaternion and `unit` one; or two and that square, for the matrix times it.
 template <class S>
 Rows<S> rotation_rows(const Packed<S, 3>& vector, const Packed<S, 3>& w, const S& per, const S& unit) {
   using Row = Packed<S, 3>;
@@ -59,15 +59,15 @@ Rows<S> rotation_rows(const Packed<S, 3>& vector, const Packed<S, 3>& w, const S
           gathered<1, 2, 2>(less, more, diagonal)};
 }
 
-/// A pose's numbers.
+/// A pose in packed rows.
 template <class S>
 struct PoseRows {
   using Row = Packed<S, 3>;
-  Row translation, vector, w;  ///< the real part three times
+  Row translation, vector, w;  ///< `w`: the real part three times
 
   explicit PoseRows(const Pose<S>& pose) {
     if constexpr (Row::joined) {
-      // A load each, which reads on into what follows; the last number of the rotation is the pose's last.
+      // One load each, which reads beyond its numbers; the last number of the rotation is the pose's last.
       static_assert(sizeof(Pose<S>) == 7 * sizeof(S));
       const S* const numbers = reinterpret_cast<const S*>(&pose);
       const Packed<S, 4> rotation = Packed<S, 4>::load(numbers + 3);
@@ -81,7 +81,7 @@ struct PoseRows {
     }
   }
   PoseRows(const Row& at, const Row& of_vector, const Row& real) : translation(at), vector(of_vector), w(real) {}
-  /// Of the quaternion.
+  /// The squared length of the quaternion.
   S length_squared() const { return sum(vector * vector) + (w * w)[0]; }
   Rows<S> rotation() const { return rotation_rows(vector, w, S(2) / length_squared(), S(1)); }
 
@@ -91,7 +91,7 @@ struct PoseRows {
   }
 };
 
-/// The rotation of B seen from A; `per` and `unit` as of `rotation_rows`.
+/// The rotation from the frame of B to the frame of A; `per` and `unit` as for `rotation_rows`.
 template <class S>
 Rows<S> relative_rotation(const PoseRows<S>& a, const PoseRows<S>& b, const S& per, const S& unit) {
   using Row = Packed<S, 3>;
@@ -101,7 +101,7 @@ Rows<S> relative_rotation(const PoseRows<S>& a, const PoseRows<S>& b, const S& p
                        a.w * b.w - Row(sum(back * b.vector)), per, unit);
 }
 
-/// `BoxPair` in rows.
+/// A `BoxPair` in packed rows.
 template <class S>
 struct BoxRows {
   using Row = Packed<S, 3>;
@@ -115,7 +115,7 @@ struct BoxRows {
         rotation{Row(p.rotation.row[0]), Row(p.rotation.row[1]), Row(p.rotation.row[2])} {}
   BoxRows(const Row& of_a, const Row& of_b, const Row& from_a, const Rows<S>& turn)
       : half_a(of_a), half_b(of_b), translation(from_a), rotation(turn) {}
-  /// Two boxes in place.
+  /// The boxes in place, with B transformed to the frame of A.
   BoxRows(const Row& of_a, const PoseRows<S>& a, const Row& of_b, const PoseRows<S>& b) : half_a(of_a), half_b(of_b) {
     rotation = relative_rotation(a, b, S(2) / (a.length_squared() * b.length_squared()), S(1));
     translation = transposed_times(a.rotation(), b.translation - a.translation);

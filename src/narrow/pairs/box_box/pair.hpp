@@ -1,4 +1,4 @@
-// Box against box, and the same with rectangles, which are boxes of no thickness.
+// Box against box, and against rectangles, which are boxes of zero thickness.
 #pragma once
 
 #include "narrow/batch/contact_sink.hpp"
@@ -12,8 +12,8 @@ namespace graze {
 
 namespace detail {
 
-/// Whether boxes of any size and rounding touch, from their axes, of the faces only if asked; nothing where their
-/// rounding may bridge a gap that no axis measures.
+/// Whether boxes of any size and rounding touch, from their separating axes, or only those of faces; nothing where
+/// their rounding radii may bridge a gap that no axis measures.
 template <class A, class B, class T>
 [[gnu::noinline]] GRAZE_FLATTEN std::optional<bool> any_boxes_overlap(const InPlace<A, T>& a, const InPlace<B, T>& b,
                                                                       bool faces_only) {
@@ -47,14 +47,15 @@ struct BoxBox : BoxLikePair<Box, Box> {
   static std::optional<bool> overlap(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b) {
     return overlap(a, b, false);
   }
-  /// By the axes of the faces alone.
+  /// A first test, by the axes of the faces alone.
   template <class T>
   static bool may_overlap(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b) {
     return *overlap(a, b, true);
   }
-  /// The points of two boxes, as the kernels find them for many pairs; nothing where one is rounded or not regular, or
-  /// their faces do not tell. As the separating axes of polyhedra give them, in T, but also where hardly more than the
-  /// distance is between the faces.
+  /// The points of two boxes, equal to those of the kernels for many pairs; nothing where one is rounded or irregular,
+  /// or where the nearest points are nearer than those of the faces by `face_preference`. They agree with the
+  /// separating axes of polyhedra, but are computed in T and also where the gap between the faces hardly exceeds the
+  /// distance.
   template <class T, class M>
   static std::optional<T> contacts(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b, T margin, M& manifold) {
     if (a.rounding() != T(0) || b.rounding() != T(0)) return std::nullopt;
@@ -85,8 +86,9 @@ struct BoxBox : BoxLikePair<Box, Box> {
         pairs, count, [&](std::size_t i) { sink.apart(i); }, [&](const MetPairs<T>& met) { sink.met(met, false); },
         [&](std::size_t i) { sink.unknown(i); }, room_of(sink));
   }
-  /// Pairs in rows, which `each_rows(ask)` gives as `ask(rows, first, count)`; the sink is told of them by their places
-  /// among all. It has `boxes(met, size)`, which may write the next `size` of them itself and tells whether it did.
+  /// Answers pairs in rows, which `each_rows(ask)` passes to `ask(rows, first, count)`; the sink identifies them by
+  /// their indices among all. Its `boxes(met, size)` may write the next `size` of them itself and returns whether it
+  /// did.
   template <class T, class EachRows, class Sink>
   static void visit_row_contacts(const EachRows& each_rows, T margin, Sink& sink) {
     const auto apart = [&](std::size_t i) { sink.apart(i); };

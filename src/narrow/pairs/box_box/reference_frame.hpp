@@ -1,14 +1,15 @@
-// Two boxes as they meet along an axis, turned until the axis runs about along z, across lanes.
+// The reference frame of two boxes that meet along an axis: coordinates permuted until the axis runs about along z,
+// across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone; nothing of a single pair is a jump but whether the axis
-// is one of edges.
+// Guarantee: in every lane the bits that the pair gives alone; a single pair takes no branch on the data but whether
+// the axis is a product of edges.
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
 
 namespace graze::detail {
 
-/// Puts one of three axes last, and before it those that follow it.
+/// A cyclic permutation that puts one of three axes last.
 template <class S>
 class AxisLast {
  public:
@@ -17,9 +18,9 @@ class AxisLast {
   using Mask = typename Row::Mask;
 
   AxisLast() = default;
-  /// The axis of that number, 0, 1 or 2, which is given three times.
+  /// The permutation that puts axis 0, 1 or 2 last; the number is given three times.
   static AxisLast of(const Row& number) { return {number == Row(S(0)), number == Row(S(1))}; }
-  /// The axis along which a vector is longest, the first of those.
+  /// The permutation that puts last the axis along which a vector is longest, the first of equal ones.
   static AxisLast longest(const Row& v) {
     const Row a = abs(v), x = spread<0>(a), y = spread<1>(a), z = spread<2>(a);
     const Mask first = (x >= y) & (x >= z);
@@ -30,10 +31,10 @@ class AxisLast {
     return {(condition & yes.first_) | (other & no.first_), (condition & yes.second_) | (other & no.second_)};
   }
 
-  /// What belongs to the axis, of three.
+  /// The one of three values that belongs to the last axis.
   Row pick(const Row& x, const Row& y, const Row& z) const { return select(first_, x, select(second_, y, z)); }
   S pick(const S& x, const S& y, const S& z) const { return pick(Row(x), Row(y), Row(z))[0]; }
-  /// The components of a vector, or the rows of a matrix, in the new order.
+  /// The components of a vector, or the rows of a matrix, in the permuted order.
   Row operator()(const Row& v) const { return pick(following(v), preceding(v), v); }
   Rows<S> operator()(const Rows<S>& m) const {
     const Row* const row = m.row;
@@ -45,7 +46,8 @@ class AxisLast {
   Mask first_, second_;
 };
 
-/// The unit vector of A's i-th axis times B's j-th, from A to B, by 3 i + j, which is given three times.
+/// The unit vector of the product of A's i-th axis with B's j-th, from A to B, by the number 3 i + j, given three
+/// times.
 template <class S>
 Packed<S, 3> edges_normal(const BoxRows<S>& p, const Packed<S, 3>& number) {
   using std::sqrt;
@@ -60,26 +62,26 @@ Packed<S, 3> edges_normal(const BoxRows<S>& p, const Packed<S, 3>& number) {
   return product * Row(scale * select(sum(p.translation * product) < S(0), S(-1), S(1)));
 }
 
-/// Whether an axis, by its number, is that of a face of B: B is the clipping one of the two then, else A.
+/// Whether an axis, by its number, is normal to a face of B: B is the reference box then, else A.
 template <class S, int N>
 auto face_of_b(const Packed<S, N>& number) {
   using Numbers = Packed<S, N>;
   return (number >= Numbers(S(3))) & (number < Numbers(S(6)));
 }
 
-/// Two boxes seen from the one whose face is a rectangle along the axis, which is called the clipping one.
+/// Two boxes seen from the reference box, the one whose face is a rectangle along the axis.
 template <class S>
 struct ReferenceFrame {
   using Row = Packed<S, 3>;
   using Mask = typename Row::Mask;
 
-  Mask by_b;             ///< the clipping one is B
-  AxisLast<S> face;      ///< the axis of the clipping one's face, and so the order of the coordinates here
-  Row normal;            ///< from it to the other; of a face exactly one of its axes
-  S steep;               ///< one over the last of the normal
-  Row half, half_other;  ///< of the other in its own order
-  Row translation;       ///< of the other
-  Rows<S> rotation;      ///< and its turn
+  Mask by_b;             ///< the reference box is B
+  AxisLast<S> face;      ///< the axis of the reference face, and so the order of the coordinates
+  Row normal;            ///< from the reference box to the other; for a face exactly one of its axes
+  S steep;               ///< one over the last component of the normal
+  Row half, half_other;  ///< half extents of the reference box, permuted, and of the other, in its own order
+  Row translation;       ///< centre of the other box
+  Rows<S> rotation;      ///< rotation of the other box
 
   ReferenceFrame(const BoxRows<S>& p, const S& axis) {
     const Row number(axis), zero(S(0)), one(S(1));

@@ -3,8 +3,8 @@
 // Eberly's table, "Dynamic collision detection using oriented bounding boxes", 2002).
 //
 // Guarantee: `separation` along each axis is that of the boxes' intervals: the largest of the fifteen is a lower bound
-// of the distance, and of overlapping boxes exactly minus the depth. An edge axis of two edges that are parallel up to
-// rounding is no axis: the face axes answer then, and nothing is divided by a vanishing length.
+// of the distance, and for overlapping boxes exactly minus the depth. Two edges that are parallel up to rounding have
+// no axis: the face axes answer then, and nothing is divided by a vanishing length.
 #pragma once
 
 #include <limits>
@@ -23,15 +23,16 @@ struct BoxAxis {
   S number;
 };
 
-/// The best of each kind. `face_a` and `face_b` always exist; `edge.separation` is minus infinity without an edge axis.
+/// The best axis of each kind. `face_a` and `face_b` always exist; `edge.separation` is minus infinity without an edge
+/// axis.
 template <class S>
 struct BoxAxes {
   BoxAxis<S> face_a, face_b, edge;
 };
 
-/// The squared sine below which two edges count as parallel. Their product is an axis of boxes that are turned by a
-/// rounding, however small it is, since its projections are taken of its own components; without it the separation is
-/// off by the sine times an edge: eight roundings.
+/// The squared sine below which two edges count as parallel. The product of two edges is a valid axis even if a single
+/// rounding turns them, however short it is, since its projections are taken with its own components; leaving it out
+/// makes the separation wrong by the sine times an edge: eight roundings.
 template <class S>
 inline constexpr typename LaneOf<S>::type parallel_edges = 64 * epsilon<S>* epsilon<S>;
 
@@ -59,7 +60,7 @@ BoxAxis<S> no_axis() {
 
 }  // namespace detail
 
-/// A's three axes. They need one row of the rotation each.
+/// The best of A's three axes, which need one row of the rotation each.
 template <class S>
 BoxAxis<S> box_axes_of_a(const BoxPair<S>& p) {
   using std::abs;
@@ -73,7 +74,7 @@ BoxAxis<S> box_axes_of_a(const BoxPair<S>& p) {
   return best;
 }
 
-/// B's three axes, with the absolute rotation that the edges need too.
+/// The best of B's three axes, with the absolute rotation that the edges need too.
 template <class S>
 BoxAxis<S> box_axes_of_b(const BoxPair<S>& p, const Mat3<S>& absolute) {
   using std::abs;
@@ -91,14 +92,14 @@ BoxAxis<S> box_axes_of_b(const BoxPair<S>& p, const Mat3<S>& absolute) {
 /// The products of A's i-th with each of B's axes, e_i x b_j, not of unit length. A's axis is a unit vector of the
 /// frame, so one component is zero and the others are entries of the rotation. B's other axes are projected on these
 /// components and not read from the rotation as orthogonality would allow (Eberly's table): an entry is off by a
-/// rounding of one, and divided by the length of the product of two edges that are nearly parallel that would be seen.
+/// rounding of one, which would matter after division by the length of the product of two nearly parallel edges.
 template <class S>
 struct BoxEdgeAxes {
   using Row = Packed<S, 3>;
-  Row along_1, along_2;  ///< the components along the two axes of A that follow the i-th
-  Row middle, reach;     ///< of the centres' distance along it, signed, and of both half extents
+  Row along_1, along_2;  ///< components along the two axes of A that follow the i-th
+  Row middle, reach;     ///< projections on it of the centres' offset, signed, and of both half extents
   Row length_squared() const { return along_1 * along_1 + along_2 * along_2; }
-  /// The separation times the length.
+  /// The separation times the length of the axis.
   Row gap() const { return abs(middle) - reach; }
 };
 
@@ -107,15 +108,16 @@ BoxEdgeAxes<S> box_edges(const BoxRows<S>& p) {
   using Row = Packed<S, 3>;
   constexpr int i1 = (I + 1) % 3, i2 = (I + 2) % 3;
   const Row &x = p.rotation.row[i1], &y = p.rotation.row[i2];
-  // Of each of B's axes along the product of the one before, and so of the one before along that of this.
+  // The projection of each of B's axes on the product of the one before, and so of the one before on the product of
+  // this.
   const Row across = abs(following(y) * x - following(x) * y);
   return {-y, x, spread<i2>(p.translation) * x - spread<i1>(p.translation) * y,
           spread<i1>(p.half_a) * abs(y) + spread<i2>(p.half_a) * abs(x) + following(p.half_b) * across +
               preceding(p.half_b) * preceding(across)};
 }
 
-/// Calls `f(I)` with a constant for each of three axes until it says that it knows enough. Constants leave nothing of
-/// the cyclic indices to run time.
+/// Calls `f(I)` with a constant for each of three axes until it returns true. Constants leave no cyclic index to run
+/// time.
 template <class F>
 bool any_of_three(F&& f) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -139,7 +141,7 @@ void keep_edge(const BoxEdgeAxes<S>& edges, int j, BoxAxis<S>& best) {
   detail::keep(best, distinct & (separation > best.separation), separation, normal, static_cast<int>(6 + 3 * I) + j);
 }
 
-/// All fifteen axes; without those of edges where faces already keep all lanes' boxes more than `enough` apart.
+/// All fifteen axes, without those of edges where faces already separate all lanes' boxes by more than `enough`.
 template <class S>
 BoxAxes<S> box_axes(const BoxPair<S>& p, const S& enough) {
   const Mat3<S> absolute = abs(p.rotation);

@@ -1,7 +1,7 @@
-// The corners of an outline of a single pair: a register of them, without gaps.
+// The contact polygon of a single pair: its corners packed in a register, without gaps.
 //
-// Guarantee: the bits of the ring of slots (`box_ring.hpp`) for a lane. No jump depends on how many corners there are,
-// but where some are taken out.
+// Guarantee: the bits that the ring of slots (`contact_polygon.hpp`) gives in a lane. No branch depends on the number
+// of corners, except where some are removed.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace graze::detail {
 
-/// Which of eight come in what order, a byte each; the bytes behind the last one are 0.
+/// The order of up to eight corners: their indices, a byte each; the bytes behind the last one are 0.
 using Places = std::uint64_t;
 constexpr std::uint64_t place(Places places, std::size_t i) { return places >> (8 * i) & 0xff; }
 
-/// The corners of a rectangle (bits and places 0 to 3) and of a parallelogram (4 to 7) that there are, in order, by how
-/// many of the parallelogram's sides come before the rectangle's second (`ClippedFaces`); and the lower ones first. Not
-/// inline: kernels of different levels share nothing.
+/// Orders of the corners that exist, of a rectangle (bits and indices 0 to 3) and of a parallelogram (4 to 7), by the
+/// number of the parallelogram's sides that come before the rectangle's second (`ClippedFaces`); the last one in
+/// ascending order. Not inline: kernels of different instruction sets share nothing.
 struct CornerOrders {
   static constexpr std::size_t low_first = 3;
   Places of[4][256]{};
@@ -38,7 +38,7 @@ struct CornerOrders {
 };
 static constexpr CornerOrders corner_orders;
 
-/// So many of eight numbers of a single pair are done at a time: as many as two registers hold.
+/// How many of a single pair's eight numbers are processed at a time: as many as two registers hold.
 template <class S>
 inline constexpr int ring_step = Packed<S, 8>::parts > 2 ? 4 : 8;
 /// Eight numbers of a single pair.
@@ -48,7 +48,7 @@ struct EightNumbers {
   Packed<S, step> some[8 / step];
 };
 
-/// The first numbers in that order.
+/// The first numbers in a given order.
 template <class S>
 [[gnu::always_inline]] inline Packed<S, ring_step<S>> in_order(const EightNumbers<S>& all, Places places) {
   using Some = Packed<S, ring_step<S>>;
@@ -62,7 +62,7 @@ template <class S>
 #endif
 #if defined(__AVX512F__)
   if constexpr (sizeof(S) == 8) {
-    // With all lanes chosen: g++ takes what the plain forms leave undefined for a mistake.
+    // All lanes chosen by a mask: g++ warns of the undefined values of the plain forms.
     const __m512i to = _mm512_maskz_cvtepu8_epi64(0xff, _mm_cvtsi64_si128(static_cast<long long>(places)));
     const __m512d from = __builtin_shufflevector(all.some[0].part[0].v, all.some[0].part[1].v, 0, 1, 2, 3, 4, 5, 6, 7);
     const __m512d found = _mm512_maskz_permutexvar_pd(0xff, to, from);
@@ -106,7 +106,7 @@ class ContactPolygon<S> {
     take(static_cast<std::size_t>(p_first) + static_cast<std::size_t>(q_first),
          rectangle.are.bits() | parallelogram.are.bits() << 4);
   }
-  /// From corners in order, each of which may be none.
+  /// Takes corners in order, each of which may be absent.
   ContactPolygon(const All& at_x, const All& at_y, const All& how_far, const bool (&are)[most_contact_slots])
       : all_x_(of(at_x)), all_y_(of(at_y)), all_apart_(of(how_far)) {
     unsigned bits = 0;
@@ -171,7 +171,7 @@ class ContactPolygon<S> {
   static Column of(const All& all) {
     return together({all[0], all[1], all[2], all[3]}, {all[4], all[5], all[6], all[7]});
   }
-  /// The places from `i` on.
+  /// The slot numbers from `i` on.
   static Some numbers(std::size_t i) {
     if constexpr (step == 4)
       return Some(S(0), S(1), S(2), S(3)) + Some(S(i));
@@ -195,7 +195,7 @@ class ContactPolygon<S> {
   Places places_ = 0;
   std::size_t size_ = 0;
   S deepest_{};
-  unsigned gone_ = 0;  ///< bits of those that `close_up` is to take out
+  unsigned gone_ = 0;  ///< bits of the corners that `close_up` is to remove
 };
 
 template <class S>
@@ -205,7 +205,7 @@ class Around<S> {
   using Some = typename ContactPolygon<S>::Some;
   using Column = typename ContactPolygon<S>::Column;
 
-  /// `column` of a ring with at least one corner.
+  /// The neighbours in a polygon with at least one corner.
   Around(const ContactPolygon<S>& ring, const Column& column) : column_(&column), size_(ring.size()) {}
   Some before(std::size_t i) const { return in_order(*column_, (0x0605040302010000 | (size_ - 1)) >> (8 * i)); }
   Some after(std::size_t i) const {

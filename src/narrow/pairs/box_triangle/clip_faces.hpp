@@ -1,9 +1,9 @@
-// Box against triangle, the points of contact: the face of the box that meets it, and the triangle, its edge or its
-// vertex laid over each other along a normal, across lanes.
+// Box against triangle, the points of contact: the triangle, or its edge or vertex, clipped by the box's face along a
+// normal, across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The points are the corners of the area that the two
-// share, as `clip_faces` gives them, up to rounding; of a vertex it is the vertex. Where what is nearest lies nearer
-// than these by more than `face_preference`, `known` says so.
+// Guarantee: in every lane the bits that the pair gives alone. The points are the corners of the intersection, as
+// `clip_faces` gives them, up to rounding; for a vertex the vertex. `known` is 0 where the two are nearer to each other
+// elsewhere by more than `face_preference`.
 #pragma once
 
 #include "narrow/pairs/box_box/clip_faces.hpp"
@@ -14,9 +14,9 @@ namespace graze {
 
 namespace detail {
 
-/// What of the triangle meets the box along a normal, laid over the box's face. `n` and the triangle's `normal` and
-/// points are in the frame of the box's face, which lies across z at `height`. `fall` is the cosine between n and each
-/// edge.
+/// The feature of the triangle that meets the box along a normal, projected onto the box's face. `n` and the triangle's
+/// `normal` and points are in the frame of the box's face, which lies across z at `height`. `fall` is the cosine
+/// between n and each edge.
 template <class S>
 TriangleFace<S> face_over_box(const Vec3<S> (&point)[3], const Vec3<S>& normal, const Vec3<S>& n, const S& height,
                               const Vec3<S>& fall, const S& rounding) {
@@ -38,7 +38,7 @@ TriangleFace<S> face_over_box(const Vec3<S> (&point)[3], const Vec3<S>& normal, 
 }  // namespace detail
 
 /// The points along the chosen axis of a box and a triangle that are at most `margin` apart, in the world. Only for
-/// those within the margin of each other.
+/// shapes within the margin of each other.
 template <class S>
 void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& directions,
                        const TriangleReferenceAxis<S>& choice, const S& margin, const Pose<S>& pose_a,
@@ -48,7 +48,7 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
   using Mask = decltype(S() < S());
   const S zero(0), one(1);
 
-  // The axes of the box turned until its face's comes last.
+  // The axes of the box permuted until that of its face comes last.
   const auto axes = AxisPermutation<S>::longest(choice.normal);
   const Vec3<S> n = axes.turned(choice.normal), half = axes.turned(p.half),
                 point[3] = {axes.turned(of_corner(p.point, 0)), axes.turned(of_corner(p.point, 1)),

@@ -1,13 +1,13 @@
-// A rectangle and a triangle laid over each other: the outline of what they share, across lanes. An edge or a vertex in
-// the place of the triangle too.
+// The outline of the intersection of a rectangle and a triangle, across lanes; also with an edge or a vertex in the
+// place of the triangle.
 //
 // Guarantee: in every lane the bits that the pair gives alone. No corner is lost to rounding; one may come twice, and
-// `simplify` takes those and the ones out that stand out too little to mean anything, as `simplify` does.
+// `simplify` removes duplicates and corners that hardly stand out.
 //
 // Each of the seven sides, clipped by the other outline (Liang, Barsky 1984, "A new concept and method for line
-// clipping"), is a side of the shared area or none, and begins at a corner of it; and sides of a convex area follow
-// each other by their directions. Those of the rectangle are the same four for all, and of the triangle's the first, by
-// its angle, is within the first half turn and the last within the second: few slots remain for each.
+// clipping"), is a side of the intersection or empty, and begins at a corner of it; and the sides of a convex area
+// follow each other by their directions. The rectangle's directions are always the same four, and the first of the
+// triangle's, by its angle, is within the first half turn and the last within the second: few slots remain for each.
 #pragma once
 
 #include "narrow/pairs/box_box/single_contact_polygon.hpp"
@@ -16,11 +16,11 @@ namespace graze::detail {
 
 using graze::select;  // beside those for corners
 
-/// A corner where a side begins, while it is one.
+/// A corner at the beginning of a side, if there is one.
 template <class S>
 struct Corner {
   FlatPoint<S> at;
-  decltype(S() < S()) is;  ///< false: there is none
+  decltype(S() < S()) is;  ///< false: there is no corner
 };
 template <class M, class S>
 Corner<S> select(const M& condition, const Corner<S>& yes, const Corner<S>& no) {
@@ -29,7 +29,7 @@ Corner<S> select(const M& condition, const Corner<S>& yes, const Corner<S>& no) 
   return corner;
 }
 
-/// The ring of those in slots that are corners; `apart` tells of a place how far apart the two faces are there.
+/// The contact polygon of the slots that hold a corner; `apart(position)` is the distance of the two faces there.
 template <class S, class Apart>
 ContactPolygon<S> ring_of(const Corner<S> (&slots)[most_contact_slots], const Apart& apart) {
   typename ContactPolygon<S>::All x, y, how_far;
@@ -43,12 +43,12 @@ ContactPolygon<S> ring_of(const Corner<S> (&slots)[most_contact_slots], const Ap
   return {x, y, how_far, are};
 }
 
-/// A vertex of the triangle as seen along the normal.
+/// A vertex of the triangle projected along the normal.
 template <class S>
 struct FlatVertex {
   FlatPoint<S> at;
-  S apart;   ///< how far it lies beyond the rectangle's plane, along the normal
-  S number;  ///< of the triangle's own
+  S apart;   ///< distance beyond the rectangle's plane, along the normal
+  S number;  ///< its number in the triangle
 };
 template <class M, class S>
 FlatVertex<S> select(const M& condition, const FlatVertex<S>& yes, const FlatVertex<S>& no) {
@@ -57,7 +57,7 @@ FlatVertex<S> select(const M& condition, const FlatVertex<S>& yes, const FlatVer
           select(condition, yes.number, no.number)};
 }
 
-/// Three vertices from the `first`-th on, where at most one of the masks is set.
+/// Rotates three vertices so that the second or the third comes first where its mask is set; at most one is.
 template <class M, class S>
 void begin_with(const M& second, const M& third, FlatVertex<S> (&v)[3]) {
   const FlatVertex<S> a = v[0], b = v[1], c = v[2];
@@ -70,7 +70,7 @@ void begin_with(const M& second, const M& third, FlatVertex<S> (&v)[3]) {
 template <class S>
 struct FlatSide {
   FlatPoint<S> from, along;
-  S per_x, per_y;  ///< one over the components of `along`, where those do not vanish
+  S per_x, per_y;  ///< one over the components of `along`, or over a tiny number where these vanish
   S slack;         ///< rounding of `left_of`
 
   FlatSide() = default;
@@ -84,11 +84,11 @@ struct FlatSide {
     slack = rounding * (abs(along.x) + abs(along.y));
   }
   S length_squared() const { return along.x * along.x + along.y * along.y; }
-  /// How far to the left a point lies, times the length.
+  /// The signed distance of a point to the left of the line, times the length.
   S left_of(const FlatPoint<S>& p) const { return along.x * (p.y - from.y) - along.y * (p.x - from.x); }
 };
 
-/// The part of a line on which something is: from `low` to `high`, nothing where these are the other way round.
+/// An interval of a line, from `low` to `high`; empty where these are the other way round.
 template <class S>
 struct Stretch {
   S low, high;
@@ -106,13 +106,13 @@ struct RectangleAndTriangle {
   using Mask = decltype(S() < S());
 
   FlatPoint<S> half;
-  /// Counter-clockwise, that of the smallest angle first; for an edge, it; for a vertex, one of no length.
+  /// Counter-clockwise, the one of the smallest angle first; for an edge, the edge; for a vertex, one of zero length.
   const FlatSide<S> (&side)[3];
   Mask whole;  ///< it is a triangle
   Mask edge;   ///< it is an edge
-  S rounding;  ///< of a place
+  S rounding;  ///< rounding of a position
 
-  /// Ends of an edge as near to each other as `together`, squared, are one.
+  /// Finds the corners. Ends of an edge within `together` of each other, squared, are one.
   void corners(Corner<S> (&slots)[most_contact_slots], const S& together) const {
     const Mask none = half.x < S(0);
     const Stretch<S> on[] = {on_side(side[0]), on_side(side[1]), on_side(side[2])};
@@ -129,7 +129,7 @@ struct RectangleAndTriangle {
     const Stretch<S> bottom = on_x(-half.y), top = on_x(half.y), right = on_y(half.x), left = on_y(-half.x);
     const Corner<S> r0{{bottom.low, -half.y}, bottom.is()}, r1{{half.x, right.low}, right.is()},
         r2{{top.high, half.y}, top.is()}, r3{{-half.x, left.high}, left.is()};
-    // Which of the rectangle's sides follow which of the triangle's.
+    // Order of the rectangle's sides among the triangle's.
     const FlatPoint<S>&d0 = side[0].along, &d1 = side[1].along, &d2 = side[2].along;
     const Mask first_half = !in_second_half(d1), a0_before_r1 = d0.x > S(0), a1_before_r1 = first_half & (d1.x > S(0)),
                a1_before_r3 = first_half | (d1.x < S(0)), a2_before_r3 = d2.x < S(0);
@@ -146,7 +146,7 @@ struct RectangleAndTriangle {
   }
 
  private:
-  /// Where along a side of the triangle, from 0 to 1, the rectangle is.
+  /// The interval of a triangle's side, in parameters from 0 to 1, within the rectangle.
   Stretch<S> on_side(const FlatSide<S>& s) const {
     const FlatPoint<S> reach{half.x + rounding, half.y + rounding};
     const S x0 = (-reach.x - s.from.x) * s.per_x, x1 = (reach.x - s.from.x) * s.per_x,
@@ -154,7 +154,7 @@ struct RectangleAndTriangle {
     return {greatest(S(0), greatest(least(x0, x1), least(y0, y1))),
             least(S(1), least(greatest(x0, x1), greatest(y0, y1)))};
   }
-  /// Where along a side of the rectangle the triangle is: along x at a height, along y at a place.
+  /// The interval of a rectangle's side within the triangle: along x at the height `y`, or along y at `x`.
   Stretch<S> on_x(const S& y) const {
     Stretch<S> found{-half.x, half.x};
     for (const FlatSide<S>& s : side)

@@ -1,15 +1,15 @@
-// Box against triangle: whether they touch.
+// Box against triangle: the overlap test.
 //
-// Guarantee: in every lane what the pair gives alone. `contacts` asks the same axes, and says the same wherever the
-// faces that these lead to tell its points.
+// Guarantee: in every lane the answer that the pair gives alone. `contacts` tests the same axes, and agrees wherever
+// the faces that these lead to determine its points.
 #pragma once
 
 #include "narrow/pairs/box_triangle/sat.hpp"
 
 namespace graze {
 
-/// Whether a box and a triangle touch, both without a margin, and whether that is known: not of slivers that the box's
-/// own axes do not part from it, nor where lengths are not those of `regular_box`.
+/// Whether a box and a triangle touch, both without rounding, and whether that is known: not for slivers that the box's
+/// own axes do not separate from it, nor where lengths are outside the bounds of `regular_box`.
 template <class S>
 struct BoxTouchesTriangle {
   decltype(S() < S()) touch, known;

@@ -1,6 +1,6 @@
 // Box against triangle.
 //
-// Guarantee: what the kernels answer for many pairs, bit for bit.
+// Guarantee: the answer of the kernels for many pairs, bit for bit.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,8 @@
 
 namespace graze {
 
-/// Nothing of a sliver, where lengths are so large that products of them overflow, or where the faces do not tell.
+/// The contacts of the kernel. Nothing for a sliver, for lengths whose products overflow, or where the faces do not
+/// determine the points.
 template <class T>
 std::optional<T> triangle_contacts(const BoxCore<T>& a, const Pose<T>& pose_a, const TriangleCore<T>& b,
                                    const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
@@ -30,7 +31,7 @@ std::optional<T> triangle_contacts(const BoxCore<T>& a, const Pose<T>& pose_a, c
   return distance;
 }
 
-/// The same in units in which no product overflows: a power of two takes no digit from any number.
+/// The contacts in units in which no product overflows; scaling by a power of two takes no digit from any number.
 template <class T>
 std::optional<T> large_triangle_contacts(const BoxCore<T>& a, const Pose<T>& pose_a, const TriangleCore<T>& b,
                                          const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
@@ -50,7 +51,7 @@ struct BoxTriangle {
   template <class T>
   using B = Triangle<T>;
 
-  /// Nothing where the axes do not tell.
+  /// Whether the two touch; nothing where the axes do not decide.
   template <class T>
   GRAZE_FLATTEN static std::optional<bool> overlap(const InPlace<Box<T>, T>& a, const InPlace<Triangle<T>, T>& b) {
     if (a.rounding() != T(0) || b.rounding() != T(0)) return std::nullopt;
@@ -58,8 +59,8 @@ struct BoxTriangle {
     if (!found.known) return std::nullopt;
     return found.touch;
   }
-  /// The signed distance (where nothing is within the margin, a lower bound that exceeds it); nothing of rounded
-  /// shapes, and where the faces do not tell.
+  /// The signed distance (where nothing is within the margin, a lower bound that exceeds it) and the points; nothing
+  /// for rounded shapes, and where the faces do not determine the points.
   template <class T>
   static std::optional<T> contacts(const InPlace<Box<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
                                    Manifold<T>& manifold) {

@@ -1,10 +1,10 @@
-// Box against triangle: the axis that contacts stand on, of three of the box, the triangle's normal and those of its
-// sides in its plane, and the nine products of their edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
-// testing", Journal of Graphics Tools); across lanes.
+// Box against triangle: the reference axis of contacts, among the three axes of the box, the triangle's normal and
+// those of its sides in its plane, and the nine products of their edges (Akenine-Möller 2001, "Fast 3D triangle-box
+// overlap testing", Journal of Graphics Tools); across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The separation along an axis is that of the two's
-// intervals, so that the largest of all is a lower bound of the distance, and of those that overlap exactly minus the
-// depth, up to rounding. What a triangle as slender as `regular` excludes gives means nothing.
+// Guarantee: in every lane the bits that the pair gives alone. The separation along an axis is that of the two
+// intervals, so that the largest of all is a lower bound of the distance, and for overlapping shapes exactly minus the
+// depth, up to rounding. For triangles as slender as `regular` excludes the results are meaningless.
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
@@ -12,18 +12,18 @@
 
 namespace graze {
 
-/// A triangle lower than this part of its longest side is left to the general path: of a lower one rounding turns the
-/// normal by more than some tens of roundings.
+/// Least height of a triangle, relative to its longest side; a lower one is left to the general path, since rounding
+/// turns its normal by more than some tens of roundings.
 inline constexpr double lowest_triangle = 1.0 / 32;
 
-/// A number for each of the triangle's corners, or of its edges, which begin at them.
+/// A vector for each of the triangle's corners, or of its edges, which begin at them.
 template <class S>
 using OfCorners = Vec3<Packed<S, 3>>;
 template <class S>
 Vec3<S> of_corner(const OfCorners<S>& v, int i) {
   return {v.x[i], v.y[i], v.z[i]};
 }
-/// The same for all.
+/// One vector for all three corners.
 template <class S>
 OfCorners<S> for_corners(const Vec3<S>& v) {
   using Three = Packed<S, 3>;
@@ -35,11 +35,11 @@ template <class S>
 struct BoxAndTriangle {
   using Three = Packed<S, 3>;
 
-  Mat3<S> turn;  ///< of the box in the world
+  Mat3<S> turn;  ///< rotation of the box in the world
   Vec3<S> half;
-  OfCorners<S> point, before, edge;  ///< each corner, the one before it, and from it to the next
-  S size_a, size_b;                  ///< about their own origins
-  S noise;                           ///< what rounding may do to the separation along an axis
+  OfCorners<S> point, before, edge;  ///< each corner, the preceding corner, and the edge to the next one
+  S size_a, size_b;                  ///< radii about their own origins
+  S noise;                           ///< rounding of the separation along an axis
 
   BoxAndTriangle(const BoxCore<S>& box, const Pose<S>& pose_a, const TriangleCore<S>& triangle, const Pose<S>& pose_b)
       : turn(rotation_of(pose_a.rotation)), half(box.half) {
@@ -65,9 +65,9 @@ struct BoxAndTriangle {
 /// The directions of a triangle.
 template <class S>
 struct TriangleDirections {
-  OfCorners<S> along;             ///< unit, of its edges
-  Vec3<S> normal;                 ///< unit, out of its front
-  decltype(S() < S()) regular{};  ///< of no sliver, and of lengths as those of `regular_box`
+  OfCorners<S> along;             ///< unit vectors along its edges
+  Vec3<S> normal;                 ///< unit, on the front side
+  decltype(S() < S()) regular{};  ///< not a sliver, and of lengths within the bounds of `regular_box`
 
   TriangleDirections() = default;
   explicit TriangleDirections(const BoxAndTriangle<S>& p) {
@@ -85,16 +85,16 @@ struct TriangleDirections {
   }
 };
 
-/// The axis that contacts stand on.
+/// The axis along which contacts are found.
 template <class S>
 struct TriangleReferenceAxis {
-  S distance;      ///< signed; where it is more than the margin, a lower bound; minus infinity of a sliver
+  S distance;      ///< signed distance; a lower bound where it exceeds the margin; minus infinity for a sliver
   Vec3<S> normal;  ///< unit, from the box to the triangle, in the frame of the box
 };
 
 namespace detail {
 
-/// The best axis of those tried so far.
+/// The best of the axes tested so far.
 template <class S>
 struct BestAxis {
   S separation;
@@ -107,7 +107,7 @@ struct BestAxis {
   }
 };
 
-/// The box's own axes.
+/// The best of the box's own axes.
 template <class S>
 BestAxis<S> box_side_axes(const BoxAndTriangle<S>& p) {
   BestAxis<S> best{S(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), {S(0), S(0), S(0)}};
@@ -121,7 +121,7 @@ BestAxis<S> box_side_axes(const BoxAndTriangle<S>& p) {
   return best;
 }
 
-/// The triangle's normal and those of its sides, where they are better than `best`.
+/// The best of the triangle's normal, the normals of its sides, and `best`.
 template <class S>
 BestAxis<S> triangle_side_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d, BestAxis<S> best) {
   using std::abs;
@@ -135,20 +135,19 @@ BestAxis<S> triangle_side_axes(const BoxAndTriangle<S>& p, const TriangleDirecti
   return best;
 }
 
-/// The best of those products of the box's edges with the triangle's that are better than `face`; minus infinity where
-/// none is.
+/// The best product of a box's edge with one of the triangle's, if it is better than `face`; else minus infinity.
 template <class S>
 BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d, const S& face) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Three = Packed<S, 3>;
-  // Separations are compared by their squares with their signs, a product each in place of a root. Axes are numbered 3
-  // i + j for the box's i-th edge and the triangle's j-th.
+  // Separations are compared by their signed squares, a product each in place of a root. Axes are numbered 3 i + j for
+  // the box's i-th edge and the triangle's j-th.
   const Three parallel(S(parallel_edges<S>)), least_square(face * abs(face));
   S gap(-std::numeric_limits<T>::infinity()), squared(1), number(0), toward(1);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t u = i == 2 ? 0 : i + 1, v = i == 0 ? 2 : i - 1;
-    // The whole edge is one place along its product: the triangle has but two.
+    // The product projects its whole edge to one point, so that the triangle has only two projections.
     const Three n_u = -d.along[v], n_v = d.along[u];
     const Three one = n_u * p.point[u] + n_v * p.point[v], other = n_u * p.before[u] + n_v * p.before[v],
                 reach = abs(n_u) * Three(p.half[u]) + abs(n_v) * Three(p.half[v]);
@@ -178,8 +177,8 @@ BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d
 
 }  // namespace detail
 
-/// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better. The triangle's
-/// directions are found only where the box's own axes do not tell.
+/// The reference axis for contacts up to `margin` apart. A face is preferred to an edge that is better by less than
+/// `face_preference`. The triangle's directions are found only where the box's own axes do not decide.
 template <class S>
 TriangleReferenceAxis<S> triangle_choice(const BoxAndTriangle<S>& p, const S& margin,
                                          TriangleDirections<S>& directions) {
@@ -187,7 +186,7 @@ TriangleReferenceAxis<S> triangle_choice(const BoxAndTriangle<S>& p, const S& ma
   using T = typename LaneOf<S>::type;
   const S infinity(std::numeric_limits<T>::infinity()), enough = margin + p.noise;
   const detail::BestAxis<S> of_box = detail::box_side_axes(p);
-  // Where a face tells that they are further apart than anybody asks, no further axis need be tried.
+  // No further axis needs a test where a face separates the two by more than the margin.
   const auto by_box = of_box.separation > enough;
   if (all(by_box)) return {of_box.separation, of_box.normal};
   directions = TriangleDirections<S>(p);

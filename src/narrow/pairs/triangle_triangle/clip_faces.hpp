@@ -1,11 +1,11 @@
-// Two triangles laid over each other along a normal: the corners of what they share, across lanes. An edge in the place
-// of either too.
+// Two triangles clipped by each other along a normal: the corners of their intersection, across lanes; also with an
+// edge in the place of either.
 //
 // Guarantee: in every lane the bits that the pair gives alone. No corner is lost to rounding; one may come twice.
 //
 // Each side, clipped by the other triangle's three (Cyrus, Beck 1978, "Generalized two- and three-dimensional
-// clipping"), is a side of the shared area or none, and begins at a corner of it; and the sides of a convex area follow
-// each other by their directions, so that those of the two triangles, in order each, have only to be merged.
+// clipping"), is a side of the intersection or empty, and begins at a corner of it; and the sides of a convex area
+// follow each other by their directions, so that those of the two triangles, in order each, have only to be merged.
 #pragma once
 
 #include "narrow/pairs/triangle_face.hpp"
@@ -13,11 +13,11 @@
 
 namespace graze::detail {
 
-/// Sides of a triangle as rows: a number for each of them.
+/// The sides of a triangle in rows: a number for each side.
 template <class Row>
 struct SideRows {
   FlatPoint<Row> from, along;
-  Row reach;  ///< of `along`: its components' absolute values added up
+  Row reach;  ///< sum of the absolute values of `along`'s components
 
   template <class S>
   explicit SideRows(const TriangleFace<S>& face)
@@ -35,8 +35,8 @@ struct SideRows {
   }
 };
 
-/// What of every side of either is within the other: from `low` to `high`, as parts of it, nothing where these are the
-/// other way round. And how the sides of B are turned from each of A's: the cross product.
+/// For each side of either triangle the interval within the other, from `low` to `high` in parameters of the side,
+/// empty where these are the other way round; and for each side of A the cross products with the sides of B.
 template <class Row>
 struct ClippedSides {
   using S = typename RowOf<Row>::Number;
@@ -45,8 +45,8 @@ struct ClippedSides {
   S low_a[3], high_a[3];
   Row low_b, high_b, turn[3];
 
-  /// What lies no further beside a triangle than `slack` is within it. Of an edge and a triangle, `by_edge`, that
-  /// counts for the edge's ends only: where it leaves the triangle it is cut at the rim.
+  /// Points no further outside a triangle than `slack` count as inside. For an edge and a triangle, `by_edge`, that
+  /// holds for the edge's ends only: where it leaves the triangle it is clipped at the rim.
   ClippedSides(const TriangleFace<S>& a, const TriangleFace<S>& b, const S& slack, const Mask& by_edge)
       : low_b(S(0)), high_b(S(1)) {
     const SideRows<Row> sides(b);
@@ -58,7 +58,7 @@ struct ClippedSides {
       const FlatPoint<Row> to{sides.from.x - Row(from.x), sides.from.y - Row(from.y)}, d{Row(along.x), Row(along.y)};
       turn[i] = d.x * sides.along.y - d.y * sides.along.x;
       const S reach = abs(along.x) + abs(along.y);
-      // Of parallel sides any number does that is far beyond their ends.
+      // For parallel sides any number far beyond their ends serves.
       const Row vanishing = sides.reach * Row(reach * S(epsilon<S> * epsilon<S>)) + Row(S(smallest));
       const auto parallel = abs(turn[i]) <= vanishing;
       const Row per = one / select(parallel, vanishing, turn[i]);
@@ -78,7 +78,8 @@ struct ClippedSides {
  private:
   static constexpr double smallest = std::numeric_limits<double>::min();
 
-  /// Where a side crosses a line: how far to the left of that it begins and ends, and one over how much it falls.
+  /// The parameter at which a side crosses a line, from the distances of its ends to the left of that, and one over
+  /// their difference.
   static Row place(const Row& start, const Row& end, const Row& slack, const Row& per, const Row& edge) {
     const Row zero(S(0)), one(S(1)), lowest = -slack, at = (start + slack) * per,
                                      clamped = least(greatest(start * per, zero), one);
@@ -87,8 +88,8 @@ struct ClippedSides {
   }
 };
 
-/// Two times three corners, each where a side begins, in the order of the sides' directions: A's, B's, and which of
-/// A's come before which of B's.
+/// Merges two times three corners, each at the beginning of a side, by the order of the sides' directions: A's, B's,
+/// and which of A's come before which of B's.
 template <class S, class M>
 void merge_corners(const Corner<S> (&a)[3], const Corner<S> (&b)[3], const M (&before)[3][3],
                    Corner<S> (&slots)[most_contact_slots]) {
@@ -100,7 +101,7 @@ void merge_corners(const Corner<S> (&a)[3], const Corner<S> (&b)[3], const M (&b
       slots[k + of_a] = b[k];
     }
   } else {
-    // The k-th of one is in slot s where s - k of the other come before it.
+    // The k-th corner of one is in slot s where s - k of the other come before it.
     const auto after = [&](int i, int count) {
       const M past = count == 0   ? before[i][0]
                      : count == 3 ? !before[i][2]
@@ -123,7 +124,8 @@ void merge_corners(const Corner<S> (&a)[3], const Corner<S> (&b)[3], const M (&b
   }
 }
 
-/// The corners of what two faces share, at least one of them whole and neither a vertex; the slots are empty before.
+/// The corners of the intersection of two faces, at least one of them whole and neither a vertex; the slots must be
+/// empty.
 template <class Row, class S>
 void shared_corners(const TriangleFace<S>& a, const TriangleFace<S>& b, const S& slack,
                     Corner<S> (&slots)[most_contact_slots]) {

@@ -1,10 +1,10 @@
-// Triangle against triangle, the points of contact: the two faces, or an edge of one, laid over each other along a
+// Triangle against triangle, the points of contact: the two faces, or an edge of one, clipped by each other along a
 // normal, or the two nearest points; across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone. Where it says `known`, normal, points and features are
-// those that `contacts_of_faces` gives, up to rounding; where rounding chooses among corners of about the same place,
-// others of them. Edges that run along each other, faces that miss what is nearest, and points too near to each other
-// to be told apart are never known.
+// Guarantee: in every lane the bits that the pair gives alone. Where `known` is set, normal, points and features are
+// those that `contacts_of_faces` gives, up to rounding; where rounding chooses among corners at about the same place,
+// others of them. Edges that run along each other, faces away from the nearest points, and points too close together to
+// be distinguished are never known.
 #pragma once
 
 #include "narrow/core/answer_rounding.hpp"
@@ -21,7 +21,7 @@ struct FoundTriangles {
   Distance<double> at;
 };
 
-/// A pair of triangles that may meet, as contacts ask about it: in the unit and the frame of `two_triangles`.
+/// A pair of triangles that may touch, as the contact routines take it: in the unit and the frame of `two_triangles`.
 template <class Row>
 struct MeetingTriangles {
   using S = typename RowOf<Row>::Number;
@@ -29,23 +29,23 @@ struct MeetingTriangles {
   const TwoTriangles<Row>& p;
   const TriangleAxes<S>& axes;
   S distance;         ///< signed
-  Vec3<S> normal, a;  ///< of what is nearest: from A to B, and the point on A
+  Vec3<S> normal, a;  ///< of the nearest points: the direction from A to B, and the point on A
   S margin;
-  S unit;          ///< the frame's, in that of the answer
-  Vec3<S> origin;  ///< of the frame, there
+  S unit;          ///< unit of the frame, in that of the answer
+  Vec3<S> origin;  ///< origin of the frame, in the answer's frame
 };
 
 namespace detail {
 
-/// What of a triangle shows along the way out of it, to the other.
+/// The feature of a triangle that faces the other triangle.
 template <class S>
 struct ShownPart {
   using Mask = decltype(S() < S());
-  S facing;  ///< the cosine between that and its front
+  S facing;  ///< cosine between the outward direction and its front normal
   Mask whole, edge;
-  Vec3<S> along;  ///< the edge
+  Vec3<S> along;  ///< vector along the edge
 };
-/// An edge that falls off more shows only its upper end: `most_fall`, squared.
+/// `most_fall`: squared slope of an edge above which only its upper end counts.
 template <class Row, class S>
 ShownPart<S> shown_part(const FlatTriangle<Row>& t, const Vec3<S>& outward, const S& most_fall) {
   using std::abs;
@@ -69,13 +69,13 @@ ShownPart<S> shown_part(const FlatTriangle<Row>& t, const Vec3<S>& outward, cons
   return shown;
 }
 
-/// What the two show along a normal.
+/// The features of both triangles along a normal.
 template <class S>
 struct ShownParts {
   using Mask = decltype(S() < S());
-  ShownPart<S> of[2];  ///< A's and B's
+  ShownPart<S> of[2];  ///< of A and of B
   Mask crossing;       ///< a vertex of either, or two edges: they meet in one point
-  Mask parallel;       ///< but for edges about parallel, which run along each other
+  Mask parallel;       ///< two edges that are about parallel and run along each other
 
   ShownParts() = default;
   template <class Row>
@@ -95,18 +95,18 @@ struct ShownParts {
   }
 };
 
-/// The normal that contacts stand on, and what shows along it.
+/// The normal of contacts, and the kind of contact along it.
 template <class S>
 struct ContactNormal {
   using Mask = decltype(S() < S());
   Vec3<S> normal;
-  S most_fall;    ///< as for `shown_part`
-  Mask gap;       ///< they are as far apart as along the normal of a face or of two edges, but for rounding
-  Mask in_point;  ///< they meet in what is nearest
+  S most_fall;    ///< as in `shown_part`
+  Mask gap;       ///< the distance equals the separation along the normal of a face or of two edges, up to rounding
+  Mask in_point;  ///< the contact is at the nearest points
   Mask known;     ///< no edges run along each other
 };
 
-/// The normal of one of the two faces if it is about as good as that of what is nearest, else that one:
+/// The normal of one of the two faces if it is about as good as that of the nearest points, else that one:
 /// `preferred_normal`.
 template <class Row, class S>
 Vec3<S> normal_of_nearest(const MeetingTriangles<Row>& m, const ShownParts<S>& shown, const AnswerRounding& rounded) {
@@ -131,18 +131,18 @@ Vec3<S> normal_of_nearest(const MeetingTriangles<Row>& m, const ShownParts<S>& s
   return select(same_a, of_a, select(same_b, of_b, best));
 }
 
-/// That of the best axis where faces, or a face and an edge, meet along it as near as anything is; else by what is
-/// nearest.
+/// The normal of the best axis where faces, or a face and an edge, meet along it at the least distance; else one by the
+/// nearest points.
 template <class Row>
 auto contact_normal(const MeetingTriangles<Row>& m, const AnswerRounding& rounded) {
   using S = typename RowOf<Row>::Number;
   using Mask = decltype(S() < S());
-  // How far an edge may fall off that is laid over something, along an axis and along the line of what is nearest.
+  // Largest slope of an edge to be clipped, along an axis and along the line of the nearest points.
   constexpr double fall_off_axis = (1 - furthest_lean) * (1 - furthest_lean),
                    fall_off_nearest = side_lean<double> * side_lean<double>;
   const S& noise = m.axes.noise;
   const TriangleAxis<S>&face = m.axes.face, &edge = m.axes.edge;
-  // A face is taken before an edge that is hardly better.
+  // A face is preferred to an edge that is better by less than `face_preference`.
   const Mask edge_best = edge.separation > face.separation + noise,
              edge_chosen = edge.separation > face.separation + S(face_preference) * m.axes.smaller,
              best = (edge_best & edge_chosen) | (!(edge_best | edge_chosen));
@@ -169,8 +169,8 @@ auto contact_normal(const MeetingTriangles<Row>& m, const AnswerRounding& rounde
   return found;
 }
 
-/// A frame across a unit normal (Duff et al. 2017, "Building an orthonormal basis, revisited", Journal of Computer
-/// Graphics Techniques 6).
+/// An orthonormal frame about a unit normal (Duff et al. 2017, "Building an orthonormal basis, revisited", Journal of
+/// Computer Graphics Techniques 6).
 template <class S>
 struct FrameAcross {
   Vec3<S> u, v, n;
@@ -179,7 +179,7 @@ struct FrameAcross {
     u = {S(1) + sign * n.x * n.x * a, sign * b, -sign * n.x};
     v = {b, sign + n.y * n.y * a, -n.y};
   }
-  /// Seen from in front of the face, `outward` 1 of A's and -1 of B's.
+  /// A face seen from its front; `outward` is 1 for A's and -1 for B's.
   template <class Row>
   TriangleFace<S> face(const FlatTriangle<Row>& t, const S& outward, const S& most_fall, const S& rounding) const {
     const Row x = dot(to_all<Row>(u), t.point), y = dot(to_all<Row>(v), t.point), up = dot(to_all<Row>(n), t.point),
@@ -213,7 +213,7 @@ auto any_together(const ContactPolygon<S>& corners, const S& together) {
 
 }  // namespace detail
 
-/// The points of two triangles within the margin of each other, in their unit and frame.
+/// Writes the points of two triangles within the margin of each other, in their unit and frame.
 template <class Row, class S>
 void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded, ContactSlots<S>& found) {
   using std::sqrt;
@@ -225,7 +225,7 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
   const detail::TriangleFace<S> a = frame.face(m.p.a, S(1), along.most_fall, noise),
                                 b = frame.face(m.p.b, S(-1), along.most_fall, noise);
   const S near = S(same_place) * sqrt(least(a.shortest_squared(), b.shortest_squared())), near_squared = near * near;
-  // An edge that runs along a rim may lie beside the face by what the normal's rounding does to where it is seen.
+  // An edge along a rim may lie beside the face by the effect of the normal's rounding on its projection.
   const S slack = select(a.edge | b.edge, S(along_rim) * near + S(rounded.normal) * smaller, noise);
 
   const Mask none = noise < S(0);
@@ -265,7 +265,7 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
   found.known = one_where<S>(known);
 }
 
-/// The same of those that are in a unit of their own, in the answer's unit, by their axes and where they are nearest.
+/// Writes the points of two triangles in a unit of their own, in the answer's unit, from their axes and nearest points.
 template <class Row, class S>
 void lay_triangles(const TrianglesInUnits<S>& in, const TwoTriangles<Row>& p, const TriangleAxes<S>& axes,
                    const Distance<S>& at, const S& margin, const AnswerRounding& rounded, ContactSlots<S>& found) {

@@ -9,7 +9,7 @@ namespace {
 using S = Lanes<double>;
 constexpr std::size_t part_lanes = lanes_of<double>;
 
-/// Compiled once for both scalars. The points of those that are `at` so far apart.
+/// Writes the points of a register of pairs, whose distances are `at`. Compiled once for both scalars.
 [[gnu::noinline, gnu::flatten]] void answer(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b,
                                             const Distance<S>& at, const S& margin, const AnswerRounding& rounding,
                                             ContactSlots<S>& found) {
@@ -19,7 +19,7 @@ constexpr std::size_t part_lanes = lanes_of<double>;
   lay_triangles(in, p, triangle_axes(p), at, margin, rounding, found);
 }
 
-/// In lanes; those without a pair repeat the last one.
+/// Distances in lanes; lanes without a pair repeat the last one.
 template <class T>
 [[gnu::always_inline]] inline Distance<S> gathered_distances(const FoundTriangles<T>* found, std::size_t count) {
   const auto row = [&](std::size_t lane) __attribute__((always_inline))->const void* {
@@ -32,7 +32,7 @@ template <class T>
   return {n[0], {n[1], n[2], n[3]}, {a[0], a[1], a[2]}, {}};
 }
 
-/// Writes the points of a pair, a lane, and returns how many: of two of the same features the deeper one.
+/// Writes the points of one lane's pair and returns their number; of two with the same features the deeper one.
 template <class T>
 [[gnu::always_inline]] inline std::size_t put_points(const ContactSlots<S>& found, int lane, ContactPoint<T>* to) {
   std::uint64_t seen = 0;

@@ -1,14 +1,14 @@
-// Triangle against triangle: the signed distance with its two points, across lanes.
+// Triangle against triangle: the signed distance with its two witness points, across lanes.
 //
-// Guarantee: where it says `proven`, the distance is right up to rounding, whether the triangles meet or not: no
-// direction parts them by more, and the two points, which lie on the triangles, are no further apart. In every lane the
-// bits that the pair gives alone. Slivers are never proven.
+// Guarantee: where `proven` is set, the distance is right up to rounding, whether the triangles meet or not: no
+// direction separates them by more, and the two points, which lie on the triangles, are no further apart. In every lane
+// the bits that the pair gives alone. Slivers are never proven.
 //
-// Of triangles that meet, the facet of their difference nearest to the origin tells the depth: a corner in front of a
-// face, or two edges that cross (for triangles of one plane that plane, along which they are zero deep). Of those that
-// are apart, such a facet may show the whole distance as a gap; else a corner and an edge, or two corners, are nearest
-// (Ericson 2005, "Real-time collision detection", section 5.1.10). Each answer proves itself: its points are as far
-// apart as the triangles are along its normal.
+// For triangles that meet, the depth is given by the facet of their Minkowski difference nearest to the origin: a
+// corner in front of a face, or two edges that cross (for coplanar triangles their plane, along which they are zero
+// deep). For disjoint ones, the separation along such a facet's normal may be the whole distance; else a corner and an
+// edge, or two corners, are nearest (Ericson 2005, "Real-time collision detection", section 5.1.10). Each answer proves
+// itself: its points are as far apart as the triangles are along its normal.
 #pragma once
 
 #include "graze/result.hpp"
@@ -26,22 +26,22 @@ struct PlacedTriangle {
   Pose<S> pose;
 };
 
-/// The signed distance of two triangles in place, and how far it is known.
+/// The signed distance of two triangles in place, and whether it is proven.
 template <class S>
 struct TriangleDistance {
   using Mask = decltype(S() < S());
 
   Distance<S> at;
   Mask proven;
-  Mask beyond;  ///< further apart than was asked for: the distance is a lower bound, and the points mean nothing
+  Mask beyond;  ///< further apart than the given bound: the distance is a lower bound, and the points are meaningless
 };
 
 namespace detail {
 
-/// Roundings of a coordinate by which a point may miss what it is said to lie on.
+/// Roundings of a coordinate by which a witness point may miss the feature that it lies on.
 inline constexpr double triangle_slack = 16;
 
-/// What is nearest of the two, or deepest.
+/// The witness points of two triangles and their signed distance.
 template <class S>
 struct NearestOfTriangles {
   using Mask = decltype(S() < S());
@@ -56,7 +56,7 @@ struct NearestOfTriangles {
   void otherwise(const NearestOfTriangles& next) { otherwise(next.core, next.proven); }
 };
 
-/// Whether a place on an edge, as a part of it, lies on it, but for `slack` squared.
+/// Whether a parameter of an edge is between its ends, but for the squared distance `slack_squared`.
 template <class V>
 auto on_edge(const V& place, const V& squared, const V& slack_squared) {
   using std::abs;
@@ -64,7 +64,8 @@ auto on_edge(const V& place, const V& squared, const V& slack_squared) {
   return beyond * beyond * squared <= slack_squared;
 }
 
-/// Where two lines are nearest to each other, as parts of `e` and `f`, the second beginning by `r` from the first.
+/// The parameters of the nearest points of two lines, along `e` and `f`, the second starting at offset `r` from the
+/// first.
 template <class V>
 struct NearestOnLines {
   V s, t;
@@ -72,7 +73,7 @@ struct NearestOnLines {
       : s(dot(cross(r, f), product) * per), t(dot(cross(r, e), product) * per) {}
 };
 
-/// By two edges that cross as seen along an axis.
+/// The distance by two edges that cross as seen along an axis.
 template <class Row, class S>
 NearestOfTriangles<S> at_edges(const TwoTriangles<Row>& p, const EdgeNumbers<S>& numbers, const Vec3<S>& normal,
                                const S& separation, const S& slack_squared) {
@@ -89,7 +90,7 @@ NearestOfTriangles<S> at_edges(const TwoTriangles<Row>& p, const EdgeNumbers<S>&
   return {{separation, normal, a, b}, met};
 }
 
-/// Two edges that cross as seen along an axis, any: what tells where the two planes are parallel and no corner of
+/// Any two edges that cross as seen along an axis: these decide where the two planes are parallel and no corner of
 /// either lies over the other.
 template <class Row, class S>
 EdgeNumbers<S> crossing_edges(const TwoTriangles<Row>& p, const Vec3<S>& normal, const S& separation,
@@ -118,7 +119,7 @@ EdgeNumbers<S> crossing_edges(const TwoTriangles<Row>& p, const Vec3<S>& normal,
   return {i, j};
 }
 
-/// By a corner of either and an edge, or a corner, of the other. Triangles that are apart.
+/// The distance by a corner of either and an edge, or a corner, of the other, for disjoint triangles.
 template <class Row, class S>
 NearestOfTriangles<S> at_corners(const TwoTriangles<Row>& p, const S& slack) {
   using std::sqrt;
@@ -154,7 +155,7 @@ NearestOfTriangles<S> at_corners(const TwoTriangles<Row>& p, const S& slack) {
   const auto within = (place > S(0)) & (place < S(1));
   const Vec3<S> on = from + edge * least(greatest(place, S(0)), S(1));
   Vec3<S> off = corner - on;
-  // Across an edge to all digits, however near the corner is.
+  // Perpendicular to the edge to all digits, however near the corner is.
   off = off - edge * select(within, dot(off, edge) * per, S(0));
   const S distance = sqrt(length_squared(off)), scale = S(1) / select(distance > S(0), distance, S(1));
   const Vec3<S> normal = off * select(edge_of_b, -scale, scale);
@@ -163,7 +164,7 @@ NearestOfTriangles<S> at_corners(const TwoTriangles<Row>& p, const S& slack) {
   return {{distance, normal, select(edge_of_b, corner, on), select(edge_of_b, on, corner)}, proven};
 }
 
-/// Apart by more than `enough`, which is not negative, along what leads from the middle of A to that of B.
+/// The separation along the line from the middle of A to that of B, where it exceeds `enough`, which is not negative.
 template <class Row, class S>
 NearestOfTriangles<S> beyond_middles(const TwoTriangles<Row>& p, const S& enough) {
   using std::sqrt;
@@ -178,7 +179,8 @@ NearestOfTriangles<S> beyond_middles(const TwoTriangles<Row>& p, const S& enough
   return {{gap * scale, along * scale, {}, {}}, beyond};
 }
 
-/// What is nearest. Where they are apart by more than `enough` along an axis, that one: with no points, `beyond`.
+/// The distance by whichever features prove it. Where an axis separates the triangles by more than `enough`, the
+/// separation along it without points, with `beyond` set.
 template <class Row, class S, class M>
 NearestOfTriangles<S> nearest_of_triangles(const TwoTriangles<Row>& p, const S& enough, M& beyond) {
   using std::abs, std::sqrt;
@@ -205,7 +207,7 @@ NearestOfTriangles<S> nearest_of_triangles(const TwoTriangles<Row>& p, const S& 
   look_beyond(best, normal);
   if (all(beyond)) return nearest;
 
-  // What a face keeps apart: a corner over it, if that is nearest, or what is nearest without a face.
+  // Triangles separated by a face: a corner over it, if that is nearest, or nearest points away from all faces.
   const SeenFromFace<Row> face_a(p.a, plane_a, to_b, slack_squared), face_b(p.b, plane_b, to_a, slack_squared);
   const Vec3<S> over_a = picked(face_a.corner, p.b.point), over_b = picked(face_b.corner, p.a.point);
   const M low_a = least_of(face_a.height) <= plane_a.separation + slack,
@@ -224,7 +226,7 @@ NearestOfTriangles<S> nearest_of_triangles(const TwoTriangles<Row>& p, const S& 
   normal = select(edge > best, edges.axis.normal, normal);
   best = greatest(best, edge);
   look_beyond(edge, edges.axis.normal);
-  // In the plane of either: what keeps triangles of one plane apart.
+  // Axes in the plane of either triangle, which separate coplanar triangles.
   const S beside = greatest(face_a.beside, face_b.beside), beside_by = sqrt(abs(beside));
   best = greatest(best, select(beside < S(0), -beside_by, beside_by));
   const S about = best - p.noise;
@@ -247,7 +249,7 @@ NearestOfTriangles<S> nearest_of_triangles(const TwoTriangles<Row>& p, const S& 
 
 }  // namespace detail
 
-/// Two triangles in a frame at A's origin along the world's axes: an answer in it has only to move.
+/// Two triangles in a frame at A's origin along the world's axes, from which an answer is only translated.
 template <class Row, class S>
 TwoTriangles<Row> two_triangles(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b) {
   using std::sqrt;
@@ -274,8 +276,8 @@ TwoTriangles<Row> two_triangles(const PlacedTriangle<S>& a, const PlacedTriangle
   return pair;
 }
 
-/// Further apart than `enough`, which is not negative, they need not be measured; infinity measures all. `origin`: of
-/// the frame, in the world.
+/// The distance of rounded triangles. Those further apart than `enough`, which is not negative, need not be measured;
+/// infinity measures all. `origin`: the frame's, in the world.
 template <class Row, class S>
 TriangleDistance<S> triangle_distance(const TwoTriangles<Row>& pair, const S& radius_a, const S& radius_b,
                                       const Vec3<S>& origin, const S& enough) {
@@ -288,7 +290,7 @@ TriangleDistance<S> triangle_distance(const TwoTriangles<Row>& pair, const S& ra
   const CoreDistance<S>& core = nearest.core;
   found.proven = nearest.proven & pair.regular;
   found.beyond = found.beyond & pair.regular;
-  // What rounding cannot tell from touching touches. Half of the answer on each side of the middle of the two points,
+  // A gap within rounding counts as touching. Half of the distance goes to each side of the middle of the two points,
   // so that b - a = distance * normal to the last bits.
   const S distance = select(abs(core.distance - radii) <= pair.noise, radii, core.distance),
           half = distance * S(T(0.5));
@@ -323,7 +325,7 @@ struct TrianglesInUnits {
     }
   }
 
-  /// What was found, in the caller's unit.
+  /// A result in the caller's unit.
   TriangleDistance<S> restored(TriangleDistance<S> found) const {
     found.at.distance = found.at.distance * unit;
     found.at.a = found.at.a * unit;
@@ -339,13 +341,13 @@ TriangleDistance<S> triangle_distance(const PlacedTriangle<S>& of_a, const Place
                                        enough / in.unit));
 }
 
-/// What the contacts of a pair are found by: the best of the axes of faces, a triangle's normal or what leads across an
-/// edge of it in its plane, and the best product of edges; along the world's axes.
+/// The axes from which contacts are found: the best axis of a face, a triangle's normal or the perpendicular of one of
+/// its edges in its plane, and the best product of edges; along the world's axes.
 template <class S>
 struct TriangleAxes {
   TriangleAxis<S> face, edge;
-  S smaller;  ///< the size of the smaller triangle
-  S noise;    ///< what rounding may do to a separation
+  S smaller;  ///< size of the smaller triangle
+  S noise;    ///< rounding of a separation
 
   TriangleAxes times(const S& unit) const {
     return {{face.separation * unit, face.normal}, {edge.separation * unit, edge.normal}, smaller * unit, noise * unit};

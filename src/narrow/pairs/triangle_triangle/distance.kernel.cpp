@@ -11,20 +11,20 @@ namespace {
 using S = Lanes<double>;
 constexpr std::size_t part_lanes = lanes_of<double>;
 
-/// Compiled once for all.
+/// The distances of a register of pairs, compiled once for all callers.
 [[gnu::noinline, gnu::flatten]] void answer(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b, const S& enough,
                                             TriangleDistance<S>& found) {
   found = triangle_distance<Packed<S, 3>>(a, b, enough);
 }
 
-/// Triangles in lanes, in place.
+/// Triangles in place, in lanes.
 template <class L>
 struct LaneTriangles {
   const TriangleCore<L>&a, &b;
   const Pose<L>&pose_a, &pose_b;
 };
-/// As many of the first `count` pairs at a time as a register holds in double. `enough`: how far apart a lane's pair
-/// need not be measured. Calls `f(distances, number of the first pair, how many)`.
+/// Measures the first `count` pairs, as many at a time as a register holds in double. Pairs further apart than
+/// `enough`, by lane, need not be measured. Calls `f(distances, number of the first pair, how many)`.
 template <class L, class F>
 [[gnu::always_inline]] inline void visit_distances(const LaneTriangles<L>& of, const L& enough, std::size_t count,
                                                    const F& f) {
@@ -38,7 +38,7 @@ template <class L, class F>
       });
 }
 
-/// The same of pairs in rows.
+/// Measures pairs in rows, as `visit_distances` does.
 template <class T, class F>
 [[gnu::always_inline]] inline void visit_rows(const PairRows<T>& rows, std::size_t count, const Lanes<T>& enough,
                                               const F& f) {
@@ -66,7 +66,7 @@ template <class T, class F>
   measure(in, two_triangles<SingleRow>(in.a, in.b), enough, found);
 }
 
-/// `turned` changes nothing: both sides are of one kind.
+/// `turned` changes nothing: both shapes are of one kind.
 template <class T>
 [[gnu::flatten]] std::uint32_t triangle_row_distances(const PairRows<T>& rows, std::size_t count, bool,
                                                       Distance<T>* distances, std::uint8_t* unknown) {

@@ -9,8 +9,8 @@ namespace graze {
 
 namespace {
 
-/// The face of a triangle along a direction, as `Polyhedron::support_face` has it: either side of it; seen from the
-/// side, the edge at the highest corner that falls off least, or the corner.
+/// The support face of a triangle along a direction, as `Polyhedron::support_face` has it: either side of it; seen from
+/// the side, the edge at the highest corner that falls off least, or the corner.
 PlacedFace face_along(const Vec3d (&point)[3], const Vec3d& direction) {
   PlacedFace face;
   const auto push = [&](std::uint32_t i) {
@@ -68,7 +68,7 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
     return d.distance;
   }
 
-  // A face is taken before an edge that is hardly better.
+  // A face is preferred to an edge that is better by less than `face_preference`.
   const TriangleAxis<double>&face = axes.face, &edge = axes.edge;
   const bool edge_best = edge.separation > face.separation + axes.noise,
              edge_chosen = edge.separation > face.separation + face_preference * axes.smaller;

@@ -1,8 +1,8 @@
 // Triangle against triangle.
 //
-// Guarantee: `distance`, `overlap` and `contacts` take their answer from here, so that they agree on what touches. An
-// answer is given only with its proof, see `triangle_distance`; of slivers, and where rounding hides the proof, the
-// general path answers.
+// Guarantee: `distance`, `overlap` and `contacts` share this answer, so that they agree on touching. An answer is given
+// only with its proof, see `triangle_distance`; for slivers, and where rounding hides the proof, the general path
+// answers.
 #pragma once
 
 #include <limits>
@@ -22,7 +22,7 @@ PlacedTriangle<double> placed_triangle(const InPlace<Triangle<T>, T>& triangle) 
       {{corner(0), corner(1), corner(2)}}, static_cast<double>(triangle.rounding()), converted<double>(triangle.pose)};
 }
 
-/// `TriangleTriangle::contacts`.
+/// The contacts of a pair, see `TriangleTriangle::contacts`.
 template <class T>
 std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
                                         Manifold<T>& manifold);
@@ -64,7 +64,7 @@ struct TriangleTriangle {
   }
 
  private:
-  /// See `triangle_distance`.
+  /// The distance up to `enough`, see `triangle_distance`.
   template <class T>
   static TriangleDistance<double> up_to(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b,
                                         double enough) {

@@ -1,9 +1,10 @@
-// Two triangles in one frame: their planes, what lies over them, and the products of their edges; across lanes, or of a
-// single pair with the numbers of three corners in one register.
+// Two triangles in one frame: their planes, corners over their faces, and the products of their edges; across lanes, or
+// for a single pair with the numbers of three corners in one register.
 //
-// Guarantee: in every lane the bits that the pair gives alone. A separation along an axis is that of the two's
-// intervals, so that the largest of all is a lower bound of the distance, and of two that overlap exactly minus the
-// depth, up to rounding: the difference of two triangles has no other facets. What slivers give means nothing.
+// Guarantee: in every lane the bits that the pair gives alone. A separation along an axis is that of the two intervals,
+// so that the largest of all is a lower bound of the distance, and for overlapping triangles exactly minus the depth,
+// up to rounding: the Minkowski difference of two triangles has no other facets. For slivers the results are
+// meaningless.
 #pragma once
 
 #include "narrow/pairs/box_triangle/sat.hpp"
@@ -12,8 +13,8 @@
 
 namespace graze {
 
-/// A number for each of three corners, or of three edges, which begin at them. `Packed` does for every lane type;
-/// where a register holds four, it is quicker for a single pair.
+/// A number for each of three corners, or of three edges, which begin at them. `Packed` serves every lane type; a
+/// register of four, where the machine has it, is faster for a single pair.
 template <class S>
 using FourWide = Wide<S, 4>;
 
@@ -42,7 +43,7 @@ S least_of(const FourWide<S>& a) {
   return least(least(a[0], a[1]), a[2]);
 }
 
-/// Three points as a row for each coordinate.
+/// Three points, with a row for each coordinate.
 template <class Row>
 using CornerRows = Vec3<Row>;
 template <class Row, class S>
@@ -54,12 +55,12 @@ template <class Row>
 auto corner_of(const CornerRows<Row>& rows, int i) {
   return Vec3<typename RowOf<Row>::Number>{rows.x[i], rows.y[i], rows.z[i]};
 }
-/// The same for all corners.
+/// One vector for all three corners.
 template <class Row, class S>
 CornerRows<Row> to_all(const Vec3<S>& v) {
   return {Row(v.x), Row(v.y), Row(v.z)};
 }
-/// The one that `which` names.
+/// The number that the permutation puts last.
 template <class S, class Row>
 S picked(const AxisPermutation<S>& which, const Row& row) {
   return which.pick(row[0], row[1], row[2]);
@@ -69,22 +70,22 @@ Vec3<S> picked(const AxisPermutation<S>& which, const CornerRows<Row>& rows) {
   return {picked(which, rows.x), picked(which, rows.y), picked(which, rows.z)};
 }
 
-/// Longer than this, in units of the two, an edge has a tenth power, which products of two edges and squares of gaps
-/// along them are made of.
+/// Least length of an edge, in units of the two triangles, whose tenth power is a normal number: products of two edges
+/// and squares of gaps along them have that order.
 inline constexpr double least_triangle = 1e-25;
-/// Two edges are parallel if the square of the sine between them is less: its direction is rounding.
+/// Squared sine below which two edges count as parallel, since the direction of their product is mere rounding.
 inline constexpr double parallel_sides =
     4096 * std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
 
-/// One of the two.
+/// A triangle with its edges and its normal.
 template <class Row>
 struct FlatTriangle {
   using S = typename RowOf<Row>::Number;
 
   CornerRows<Row> point, edge;  ///< an edge leads from its corner to the next
-  Row squared;                  ///< of the edges' lengths
-  Vec3<S> across, normal;       ///< across: as long as twice the area; normal: unit
-  decltype(S() < S()) regular;  ///< no sliver, and of such a length
+  Row squared;                  ///< squared lengths of the edges
+  Vec3<S> across, normal;       ///< `across`: as long as twice the area; `normal`: unit
+  decltype(S() < S()) regular;  ///< not a sliver, and at least `least_triangle` long
 
   explicit FlatTriangle(const CornerRows<Row>& points)
       : point(points), edge(CornerRows<Row>{following(points.x), following(points.y), following(points.z)} - points) {
@@ -97,35 +98,35 @@ struct FlatTriangle {
     regular = (area > longest * longest * S(thin)) & (longest > S(T(least_triangle * least_triangle)));
     normal = across * (S(1) / sqrt(greatest(area, S(std::numeric_limits<T>::min()))));
   }
-  /// One over the squares.
+  /// One over the squared lengths of the edges.
   Row per() const {
     using T = typename LaneOf<S>::type;
     return Row(S(1)) / greatest(squared, Row(S(std::numeric_limits<T>::min())));
   }
 };
 
-/// The two in one frame.
+/// Two triangles in one frame.
 template <class Row>
 struct TwoTriangles {
   using S = typename RowOf<Row>::Number;
   using Mask = decltype(S() < S());
 
   FlatTriangle<Row> a, b;
-  S size_a, size_b;  ///< about their own origins, with their radii
-  S noise;           ///< what rounding may do to a distance
+  S size_a, size_b;  ///< radii about their own origins, with their rounding
+  S noise;           ///< rounding of a distance
   Mask regular;
 
-  /// From a corner of A to B's three, or of B to A's.
+  /// The vectors from a corner of A to B's three, and from a corner of B to A's.
   CornerRows<Row> to_b(int i) const { return b.point - to_all<Row>(corner_of(a.point, i)); }
   CornerRows<Row> to_a(int j) const { return a.point - to_all<Row>(corner_of(b.point, j)); }
-  /// How far apart they are along a vector from A to B, times its length.
+  /// The separation along a vector from A to B, times its length.
   S gap_along(const Vec3<S>& n) const {
     const CornerRows<Row> along = to_all<Row>(n), first = to_all<Row>(corner_of(a.point, 0));
     return least_of(dot(along, b.point - first)) - greatest_of(dot(along, a.point - first));
   }
 };
 
-/// A direction from A to B and how far apart the two are along it.
+/// An axis from A to B and the separation along it.
 template <class S>
 struct TriangleAxis {
   S separation;
@@ -136,14 +137,14 @@ TriangleAxis<S> select(const M& condition, const TriangleAxis<S>& yes, const Tri
   return {select(condition, yes.separation, no.separation), select(condition, yes.normal, no.normal)};
 }
 
-/// The corners of one triangle as the plane of the other sees them.
+/// The corners of one triangle relative to the plane of the other.
 template <class Row>
 struct SeenFromPlane {
   using S = typename RowOf<Row>::Number;
 
-  S separation;  ///< along the normal
+  S separation;  ///< separation along the normal
   S toward;      ///< 1 if the corners are on the normal's side, else -1
-  Row height;    ///< on that side
+  Row height;    ///< distance from the plane on that side
 
   template <class To>
   SeenFromPlane(const FlatTriangle<Row>& face, const To& to) {
@@ -155,14 +156,14 @@ struct SeenFromPlane {
   }
 };
 
-/// Those of the corners that are over the triangle.
+/// The corners of one triangle that lie over the other.
 template <class Row>
 struct SeenFromFace {
   using S = typename RowOf<Row>::Number;
 
-  Row height;  ///< infinite of the others
-  S beside;    ///< the largest separation across an edge of the triangle, in its plane: its square with its sign
-  AxisPermutation<S> corner;  ///< the lowest of them
+  Row height;                 ///< infinite for corners that do not
+  S beside;                   ///< largest separation across an edge of the triangle, in its plane: its signed square
+  AxisPermutation<S> corner;  ///< the lowest corner that does
 
   template <class To>
   SeenFromFace(const FlatTriangle<Row>& face, const SeenFromPlane<Row>& seen, const To& to, const S& slack_squared)
@@ -185,7 +186,7 @@ struct SeenFromFace {
   }
 };
 
-/// An edge of each.
+/// Numbers of an edge of A and an edge of B.
 template <class S>
 struct EdgeNumbers {
   S a, b;
@@ -203,9 +204,9 @@ auto best_edge_axis(const TwoTriangles<Row>& p) {
   using std::abs, std::sqrt;
   using S = typename RowOf<Row>::Number;
   using T = typename LaneOf<S>::type;
-  // An edge of A is one place along its products, 0 here, and A's other corner another; and so for B, beyond the two
-  // edges' own separation. Separations are compared by their squares with their signs, a product each in place of a
-  // root.
+  // An edge of A projects to one point along its products, 0 here, and A's other corner to another; and so for B,
+  // relative to the separation of the two edges. Separations are compared by their signed squares, a product each in
+  // place of a root.
   const Row zero{S(0)}, of_a = -dot(to_all<Row>(p.a.across), p.b.edge), of_b = dot(to_all<Row>(p.b.across), p.a.edge),
                         low_a = least(of_a, zero), high_a = greatest(of_a, zero), low_b = least(of_b, zero),
                         high_b = greatest(of_b, zero);

@@ -1,4 +1,4 @@
-// Triangles in lanes of double; what kernels for their distances and their points share. Only for `*.kernel.cpp`.
+// Triangles in lanes of double, shared by the kernels for their distances and their points. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -15,7 +15,7 @@ template <std::size_t part, class L>
   return {in_double<part>(core), Lanes<double>(0), in_double<part>(pose)};
 }
 
-/// What a single pair's numbers of three corners are in.
+/// The register type for a single pair's numbers of three corners.
 using SingleRow = std::conditional_t<register_bytes >= 32, FourWide<double>, Packed<double, 3>>;
 
 /// The distance of a single pair: compiled once for distances and contacts.
