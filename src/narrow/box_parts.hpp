@@ -1,4 +1,4 @@
-// The vertices, edges and faces of a box by their numbers: those of `Box`, which no size changes.
+// The vertices, edges and faces of a box by the numbers of `Box`, which are independent of its size.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The general path to the manifold of two convex shapes: their distance gives the normal, their support faces the
-// points. Which pairs have a path of their own, contact_table.cpp tells.
+// The general path to the manifold of two convex shapes: the normal from their distance, the points from their support
+// faces. Special pairs are in pair_table.cpp.
 #include <algorithm>
 
 #include "narrow/core/core.hpp"
@@ -20,15 +20,15 @@ namespace graze {
 
 namespace {
 
-/// Of the two shapes, about their own origins.
+/// The smaller radius of the two shapes about their own origins.
 template <class T>
 double smaller_size(const Side<T>& a, const Side<T>& b) {
   return least(a.size(), b.size());
 }
 
-/// What `on_surface` is for an edge, for a place on the side of a cylinder, which is round across its line: a place
-/// beside the line by this much is off the side by half its square. A depth is right to ten digits and its normal,
-/// which tells the line, to five.
+/// As `on_surface` for an edge, for a place on the side of a cylinder, which is round across its generator: a place
+/// beside the generator by this much is off the side by half its square. A depth is right to ten digits and its normal,
+/// which determines the generator, to five.
 constexpr double on_side = 2e-5;
 
 /// The points on the two surfaces over a place where the cores' faces meet, one straight above the other. Two edges
@@ -65,7 +65,7 @@ bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face
   return true;
 }
 
-/// The points of two faces laid over each other that are at most `limit` apart, appended to the manifold. Distances are
+/// Appends to the manifold the points of two faces clipped by each other that are at most `limit` apart. Distances are
 /// measured before the points are rounded to T and to the world. Returns the smallest of all.
 template <class T>
 double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
@@ -89,22 +89,23 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
   return nearest;
 }
 
-/// What lies as near as the nearest point up to rounding is kept with it, so that touching faces touch whole.
+/// The largest distance of points to keep: those level with the nearest up to rounding are kept with it, so that
+/// touching faces touch whole.
 template <class T>
 double furthest_kept(const Side<T>& a, const Side<T>& b, T margin, double distance) {
   return greatest(static_cast<double>(margin), distance + rounding_error * (a.size() + b.size() + std::abs(distance)));
 }
 
-/// Whether a shape's face along a direction is the one found along another: they are the same in its scalar, but for
-/// some roundings, far fewer than those within which a vertex is as high as another.
+/// Whether two directions have the same support face, being equal in the shapes' scalar but for some roundings, far
+/// fewer than those within which a vertex counts as level with another.
 template <class T>
 bool same_direction(const Vec3d& one, const Vec3d& other) {
   return max_abs(one - other) <= 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
 }
 
-/// The normal of one of the two support faces if it is about as good as the least depth's, else that one. No face is
-/// better than the one whose normal that is, as of two polyhedra it often is. A face of flat sides, which no vertex
-/// stands out before, needs no support query of its own.
+/// The normal of one of the two support faces if it is about as good as that of least depth, else the latter. A face
+/// whose normal is that of least depth already, as is common for polyhedra, is best. A face of a flat-sided shape, in
+/// front of which no vertex lies, needs no support query of its own.
 template <class T>
 Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
                        const Vec3d& normal, double distance) {
@@ -127,7 +128,7 @@ Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>
   return best;
 }
 
-/// The face of a side along `outward` when `known` is its face along a direction nearby: the same where that is the
+/// The face of a side along `outward` when `known` is its face along a nearby direction: the same where that is the
 /// face's own normal, or the directions are the same; else another, written to `other`.
 template <class T>
 const PlacedFace& face_again(const Side<T>& side, const PlacedFace& known, bool same, const Vec3d& outward,
@@ -136,7 +137,7 @@ const PlacedFace& face_again(const Side<T>& side, const PlacedFace& known, bool 
   return other = side.face(outward, true);
 }
 
-/// Where between a and b the solver's point lies: for two balls in the ratio of their radii, else in the middle.
+/// Position of the solver's point between a and b: for two balls in the ratio of their radii, else the middle.
 template <class T>
 T position_weight(const Shape<T>& a, const Shape<T>& b) {
   const auto *sa = a.template as<Sphere<T>>(), *sb = b.template as<Sphere<T>>();
@@ -162,12 +163,13 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
     double nearest = add_points(side_a, face_again(side_a, closest_a, same, normal, other_a), side_b,
                                 face_again(side_b, closest_b, same, -normal, other_b), normal, limit, frame, manifold);
     if (manifold.points.empty() && (side_a.round_side() || side_b.round_side())) {
-      // A line along the edge of a side, and not over the side by as much as the normal is off, still meets that edge.
+      // A generator along the edge of a side, beside the side by less than the error of the normal, still meets that
+      // edge.
       const PlacedFace edge_a = side_a.face(normal), edge_b = side_b.face(-normal);
       if (edge_a.vertices.size() == 2 && edge_b.vertices.size() == 2)
         nearest = add_points(side_a, edge_a, side_b, edge_b, normal, limit, frame, manifold);
     }
-    // Faces that miss what is nearest serve worse than the closest points.
+    // Faces away from the nearest points serve worse than the closest points.
     if (nearest <= distance + face_preference * smaller_size(side_a, side_b) && !manifold.points.empty()) return;
     manifold.points.clear();
   }
@@ -177,7 +179,7 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   manifold.points.push_back({d.a, d.b, d.distance, feature, position_weight(a, b)});
 }
 
-/// The points of faces that meet along an axis; false, with none, where the faces miss what is nearest.
+/// The points of faces that meet along an axis; false, without points, where the nearest points are not on these faces.
 template <class T>
 bool lay_faces(const Side<T>& a, const Side<T>& b, const MeetingFaces& faces, T margin, const Posed& frame,
                Manifold<T>& manifold) {
@@ -189,7 +191,7 @@ bool lay_faces(const Side<T>& a, const Side<T>& b, const MeetingFaces& faces, T 
   return false;
 }
 
-/// The support face of a body that lies on a half-space: each vertex with its own height.
+/// The support face of a body that lies on a half-space, each vertex with its own height.
 template <class T>
 void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const Shape<T>& body, const Pose<T>& pose,
                         T margin, Manifold<T>& manifold) {
@@ -287,7 +289,7 @@ void contacts_along(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
     mirror(manifold);
     return;
   }
-  if (a.template as<Sphere<T>>()) {  // no face to lay over another
+  if (a.template as<Sphere<T>>()) {  // no face to be clipped
     manifold.normal = normal;
     return;
   }

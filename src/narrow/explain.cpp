@@ -39,8 +39,8 @@ std::optional<SegmentCore<double>> segment_core(const Shape<T>& shape) {
   return core;
 }
 
-/// A box's three axes and their products with a segment, the segment seen from the box. `box_name` and `segment_name`
-/// are their letters in the question.
+/// Traces a box's three axes and their products with a segment, in the box's frame. `box_name` and `segment_name` are
+/// their letters in the query.
 void trace_segment_box(const Vec3d& half, const Segment<double>& segment, const std::string& box_name,
                        const std::string& segment_name, Trace& trace) {
   visit_axes(half, segment, [&](const Vec3d& n, bool valid, std::size_t axis, bool edge) {

@@ -1,6 +1,6 @@
 // Contacts of many pairs of boxes, or of boxes and triangles, by the kernels for them.
 //
-// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+// Guarantee: for each pair the answer of `convex_contacts`, bit for bit.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@
 
 namespace graze {
 
-/// Appends the points in the slots of one pair, of which there are at most eight, to `points` (of contact points or of
-/// what begins with one), and returns how many. Of two of the same features the deeper one is kept. `slot(i)` gives the
-/// i-th slot of the pair, the features are what the parts of A and B name.
+/// Appends the points in the slots of one pair, at most eight, to `points` (of contact points or of types that begin
+/// with one), and returns their number. Of two points with the same features the deeper one is kept. `slot(i)` returns
+/// the i-th slot; `features_a` and `features_b` are the features of the parts of A and B.
 template <class T, class Slot, class Points>
 std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* features_a,
                         const std::uint32_t* features_b, Points& points) {
   using Point = std::remove_cvref_t<decltype(points[0])>;
   const std::size_t first = points.size();
-  // All lie on one face of either, where features are the same just where parts are. Two parts on each that have no bit
-  // in common with those before have not come yet; few others share a bit.
+  // All points lie on one face of either shape, where features are equal exactly where parts are. A pair of parts whose
+  // bit is not set is new; few different ones share a bit.
   std::uint64_t seen = 0;
   for (; filled != 0; filled &= filled - 1) {
     const ContactSlot<T> from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
@@ -40,13 +40,13 @@ std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* 
       }
     }
     seen |= bit;
-    // Written where it stays: one that is made elsewhere would be read back by more bytes than it was just written by.
+    // Written in place: a copy would load more bytes at a time than were just stored, and wait for the stores.
     points.emplace_back() = Point{point};
   }
   return points.size() - first;
 }
 
-/// Of two points of a pair in a block that have the same features keeps the deeper one, in the place of the first.
+/// Keeps of two points of a pair in a block that have the same features the deeper one, in the place of the first.
 template <class T>
 void drop_twice(PointBlock<T>& block) {
   const ContactPoint<T>* from = block.points;
@@ -69,13 +69,13 @@ void drop_twice(PointBlock<T>& block) {
   block.any_twice = false;
 }
 
-/// Pairs that meet, some of a block one behind the other, all of them known.
+/// Touching pairs whose contacts are known, consecutive in a block.
 template <class T>
 struct MetPairs {
-  const typename BatchContacts<T>::Group* manifolds;  ///< one of each
-  const ContactPoint<T>* points;                      ///< of all, pair after pair
+  const typename BatchContacts<T>::Group* manifolds;  ///< one for each pair
+  const ContactPoint<T>* points;                      ///< of all pairs, pair after pair
   std::size_t count, point_count;
-  const std::uint32_t* places;  ///< among those that were asked about
+  const std::uint32_t* places;  ///< indices among the pairs that were passed in
   const T* distances;
 
   std::size_t place(std::size_t k) const { return places[k]; }
@@ -84,8 +84,8 @@ struct MetPairs {
   std::uint32_t points_of(std::size_t k) const { return manifolds[k].point_count; }
 };
 
-/// Calls `met` with the pairs of a block that follow each other and are known, and `unknown(place)` for each other one,
-/// in their order.
+/// Calls `met` with runs of consecutive pairs of a block that are known, and `unknown(place)` for each other pair, in
+/// order.
 template <class T, class Met, class Unknown>
 void visit_block(const PointBlock<T>& block, const std::uint32_t* places, const T* distances, std::size_t count,
                  const Met& met, const Unknown& unknown) {
@@ -106,14 +106,14 @@ void visit_block(const PointBlock<T>& block, const std::uint32_t* places, const 
   }
 }
 
-/// Room for what a kernel writes: its numbers are not set before.
+/// Uninitialised storage for the records that a kernel writes.
 template <class Record, std::size_t size>
 union RoomFor {
-  RoomFor() {}  // NOLINT(modernize-use-equals-default): it would set them
+  RoomFor() {}  // NOLINT(modernize-use-equals-default): it would initialise them
   Record records[size];
 };
 
-/// Where a block is written to if nobody knows a better place.
+/// Default destination of blocks, for callers without storage of their own.
 template <class T>
 class BlockRoom {
  public:
@@ -122,7 +122,7 @@ class BlockRoom {
     block.points = points_.records;
     block.first_point = 0;
   }
-  /// Told before those of a block of `count` pairs are visited.
+  /// Called before the pairs of a block of `count` are visited.
   void settle(PointBlock<T>&, std::size_t) {}
 
  private:
@@ -130,21 +130,21 @@ class BlockRoom {
   RoomFor<ContactPoint<T>, PointBlock<T>::room> points_;
 };
 
-/// Has the lines of so many records brought near that are to be written when a kernel is done with the next pairs,
-/// which are likely to have as many: they may be behind the end of an array.
+/// Prefetches the cache lines of records that the kernel is about to write for the next pairs, of which there are
+/// likely to be as many as before: they may be behind the end of an array.
 template <class Record>
 void fetch_for_writing(const Record* first, std::size_t count) {
   fetch_lines<true>(first, count);
 }
 
-/// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
-/// that touch fill several blocks.
+/// Pairs per chunk: few enough that shapes loaded for the axes are still in the cache when the points are found, and
+/// enough that those that touch fill several blocks.
 inline constexpr std::size_t batch_chunk = 128;
-/// The most that are asked about at a time. Where most pairs wait for one kernel, as in a world, twice a chunk leaves
-/// half as many lanes of the last blocks empty.
+/// Largest number of pairs passed in at a time. Where most pairs wait for one kernel, as in a world, twice a chunk
+/// leaves half as many lanes of the last blocks empty.
 inline constexpr std::size_t most_chunk = 2 * batch_chunk;
 
-/// Has `points(block)` find what there is to know of `count` pairs, and visits them.
+/// Calls `points(block)` to find the contacts of `count` pairs, and visits them.
 template <class T, class Points, class Room, class Met, class Unknown>
 void visit_points(const Points& points, const std::uint32_t* places, const T* distances, std::size_t count, Room& room,
                   const Met& met, const Unknown& unknown) {
@@ -156,7 +156,7 @@ void visit_points(const Points& points, const std::uint32_t* places, const T* di
   visit_block(block, places, distances, count, met, unknown);
 }
 
-/// Writes no block by itself.
+/// A writer that leaves every block to `visit_points`.
 struct WritesNone {
   template <class Boxes>
   bool operator()(const Boxes&, std::size_t) const {
@@ -164,15 +164,15 @@ struct WritesNone {
   }
 };
 
-/// Asks the kernel about the boxes that wait, as long as there is a block full of them, or about `all`; but not about
-/// those of a block for which `write(boxes, size)` has its own ask, which tells whether it does.
+/// Calls the kernel for the waiting boxes, as long as there is a full block of them, or for `all`; except for blocks
+/// that `write(boxes, size)` handles itself, as its result shows.
 template <class T, class Room, class Met, class Unknown, class Write = WritesNone>
 void visit_met_boxes(MetBoxes<T>& boxes, bool all, Room& room, const Met& met, const Unknown& unknown,
                      const Write& write = {}) {
   const auto kernel = GRAZE_KERNEL(chosen_isa(), box_points<T>);
   for (std::size_t waiting; waiting = boxes.count - boxes.first, waiting >= block_pairs || (all && waiting > 0);) {
     const std::size_t size = std::min(waiting, block_pairs), end = boxes.first + size;
-    // Lanes that stay empty repeat the last pair.
+    // Lanes without a pair repeat the last one.
     for (std::size_t column = 0; size < block_pairs && column < MetBoxes<T>::columns; ++column)
       std::fill(boxes.number[column] + end, boxes.number[column] + boxes.first + block_pairs,
                 boxes.number[column][end - 1]);
@@ -183,9 +183,9 @@ void visit_met_boxes(MetBoxes<T>& boxes, bool all, Room& room, const Met& met, c
   }
 }
 
-/// Asks kernels about plain boxes (`plain_box`), up to `most_chunk`: `apart(i)` for those further apart than their
-/// margins; and, in the order of the pairs, `met(pairs)`, the `MetPairs`, for some at a time, or, where their faces do
-/// not tell, `unknown(i)`.
+/// Finds the contacts of plain boxes (`plain_box`), up to `most_chunk` pairs. Calls `apart(i)` for those further apart
+/// than their margins; and, in the order of the pairs, `met(pairs)` with `MetPairs` for some at a time, or `unknown(i)`
+/// where their faces do not determine the contacts.
 template <class T, class Apart, class Met, class Unknown, class Room = BlockRoom<T>>
 void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                         const Unknown& unknown, Room&& room = {}) {
@@ -200,8 +200,8 @@ void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart&
   }
   visit_met_boxes(boxes, true, room, met, unknown);
 }
-/// Asks the kernel for the axes of plain boxes in rows, at most `MetBoxes::most` at a time, of which the first is pair
-/// number `number`. Those within the margin wait in `boxes` for `visit_met_boxes`.
+/// Finds the axes of plain boxes in rows, at most `MetBoxes::most` at a time, of which the first is pair number
+/// `number`. Pairs within the margin wait in `boxes` for `visit_met_boxes`.
 template <class T, class Apart>
 void visit_box_axes(const PairRows<T>& rows, std::size_t count, T margin, std::uint32_t number, MetBoxes<T>& boxes,
                     const Apart& apart) {
@@ -212,15 +212,15 @@ void visit_box_axes(const PairRows<T>& rows, std::size_t count, T margin, std::u
   for (std::size_t k = 0; k < apart_count; ++k) apart(places[k]);
 }
 
-/// A kernel for the points of contact of pairs whose distances, and what else a `Choice` says, are known.
+/// A kernel for the contact points of pairs whose distances, and further results in a `Choice`, are known.
 template <class T, class Choice>
 using PointKernel = void (*)(const PairRef<T>*, const Choice*, std::size_t, PointBlock<T>&);
 
-/// Asks a kernel about the points of up to `most_chunk` pairs; calls as `visit_box_contacts`.
+/// Finds the contact points of up to `most_chunk` pairs; calls back as `visit_box_contacts` does.
 template <class T, class Choice, class Apart, class Met, class Unknown>
 void visit_contacts(PointKernel<T, Choice> points, const PairRef<T>* pairs, const Choice* choices, std::size_t count,
                     const Apart& apart, const Met& met, const Unknown& unknown) {
-  // No branch that nobody foresees: places are written either way and kept or written over.
+  // Without unpredictable branches: indices are written either way and kept or overwritten.
   std::uint32_t place[most_chunk], apart_place[most_chunk];
   std::size_t met_count = 0, apart_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -246,7 +246,8 @@ void visit_contacts(PointKernel<T, Choice> points, const PairRef<T>* pairs, cons
   }
 }
 
-/// The same of plain boxes and triangles without a margin; slivers are `unknown`.
+/// Finds the contacts of plain boxes and triangles without rounding, as `visit_box_contacts` does; slivers are
+/// `unknown`.
 template <class T, class Apart, class Met, class Unknown>
 void visit_triangle_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                              const Unknown& unknown) {

@@ -1,5 +1,4 @@
-// What lanes find of pairs with one point of contact at most, as rows of the answer of a batch. Only for
-// `*.kernel.cpp`.
+// Results of lanes for pairs with one point of contact at most, as rows of a batch's answer. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -28,8 +27,8 @@ struct LaneContacts {
   }
 };
 
-/// Writes the entries of the pairs of a bundle of which `count` lanes are filled; in those of `touching` they touch,
-/// and the first of these is manifold number `first`.
+/// Writes the entries of the pairs of a bundle of which `count` lanes are filled; the lanes of `touching` have a
+/// manifold, the first of them number `first`.
 template <class T>
 [[gnu::always_inline]] inline void put_pairs(const Lanes<T>& distance, std::uint32_t touching, std::size_t count,
                                              std::uint32_t first, typename BatchContacts<T>::Pair* to) {
@@ -56,7 +55,7 @@ template <class T>
   }
 }
 
-/// Writes a manifold with its point for each lane that touches; that many numbers are given out from `first_point` on.
+/// Writes a manifold with its point for each touching lane; points are numbered from `first_point` on.
 template <class T>
 [[gnu::always_inline]] inline void put_points(const LaneContacts<T>& found, std::uint32_t touching,
                                               std::uint32_t first_point, typename BatchContacts<T>::Group* manifolds,
@@ -86,8 +85,8 @@ template <class T>
   }
 }
 
-/// Writes all of a bundle whose first pair is the `first`-th, and adds to the counts. The lanes of `unknown` are none
-/// of `touching`.
+/// Writes the results of a bundle whose first pair is the `first`-th, and adds to the counts. The lanes of `unknown`
+/// must not be in `touching`.
 template <class T>
 [[gnu::always_inline]] inline void put(const LaneContacts<T>& found, std::uint32_t touching, std::uint32_t unknown,
                                        std::size_t first, std::size_t count, const ContactRows<T>& to,

@@ -1,6 +1,6 @@
-// Contacts of what rests on half-spaces: of one pair, and of many by the kernel for them.
+// Contacts of shapes that rest on half-spaces: of one pair, and of many by the kernel for them.
 //
-// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+// Guarantee: for each pair the answer of `convex_contacts`, bit for bit.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace graze {
 
-/// Points of a body that are nearer to each other than this are one; zero where none of its own can be.
+/// Distance within which two contact points of a body are one; zero for bodies without points so close.
 template <class T>
 T points_together(const Sphere<T>&, T) {
   return T(0);
@@ -39,8 +39,8 @@ T points_together(const Triangle<T>& triangle, T) {
   return least(side(0, 1), least(side(1, 2), side(2, 0))) > T(2) * together ? T(0) : together;
 }
 
-/// Calls `f(point)` for the points in the slots of one pair, the body before the half-space, but the later of two at
-/// one place. `slot(i)` gives the i-th slot; `together` as above.
+/// Calls `f(point)` for the points in the slots of one pair, with the body as A and the half-space as B, leaving out
+/// the later of two at one place. `slot(i)` returns the i-th slot; `together` is that of `points_together`.
 template <class T, class Slot, class F>
 void each_half_space_point(unsigned filled, T together, const Slot& slot, const F& f) {
   const auto point = [&](std::size_t i) {
@@ -58,8 +58,7 @@ void each_half_space_point(unsigned filled, T together, const Slot& slot, const 
   for (const ContactPoint<T>& p : manifold.points) f(p);
 }
 
-/// The points of one of the pairs of a block. In the order in which the two stand, which is with the half-space first
-/// where they are `turned`.
+/// The points of one of the pairs of a block, in the caller's order of the two shapes: half-space first where `turned`.
 template <class T>
 struct HalfSpacePoints {
   const HalfSpaceBlock<T>& block;
@@ -67,12 +66,12 @@ struct HalfSpacePoints {
   T together;
   bool turned;
 
-  /// Unit, from the first of the two to the second.
+  /// Unit, from the first shape to the second.
   Vec3<T> normal() const {
     const Vec3<T> up{block.up[0][pair], block.up[1][pair], block.up[2][pair]};
     return turned ? up : -up;
   }
-  /// Appends them to `points` (of contact points or of what begins with one) and returns how many.
+  /// Appends the points to `points` (of contact points or of types that begin with one) and returns their number.
   template <class Points>
   std::size_t append(Points& points) const {
     const std::size_t first = points.size();
@@ -88,9 +87,9 @@ struct HalfSpacePoints {
   }
 };
 
-/// Asks about pairs of a body A, as the kernels take it, and a plain half-space, in their order: `apart(i)` for those
-/// further apart than their margins, for the others `touching(i, distance, points)`, the last `HalfSpacePoints`.
-/// `turned` tells whether the half-space is the first of the two for whoever asks.
+/// Finds the contacts of pairs of a body A, as the kernels take it, and a plain half-space. Calls, in order, `apart(i)`
+/// for those further apart than their margins, and `touching(i, distance, points)` with `HalfSpacePoints` for the
+/// others. `turned`: the half-space is the caller's first shape.
 template <class A, class T, class Apart, class Touching>
 void visit_half_space_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, const Apart& apart,
                                const Touching& touching) {

@@ -1,4 +1,4 @@
-// The pairs of the list that have lanes: which of them answers for two kinds of shapes, and for which shapes of a kind.
+// The pairs of the list that have lanes: the pair that answers for two kinds of shapes, and the shapes that it takes.
 //
 // Guarantee: derived from the list of pairs (`narrow/pair_list.hpp`) and from nothing else.
 #pragma once
@@ -11,7 +11,7 @@ namespace graze {
 
 namespace detail {
 
-/// Whatever a pair's `visit_contacts` may hand on.
+/// Stand-in for a sink, for the concepts below: takes every call of a pair's `visit_contacts`.
 template <class T>
 struct AnySink {
   using Scalar = T;
@@ -38,7 +38,7 @@ template <class P>
 concept HasContactRows = requires {
   P::template contact_rows<float>();
 };
-/// Contacts across lanes.
+/// Pairs with contacts across lanes.
 template <class P>
 concept HasContactLanes = requires(const PairRef<float>* pairs, detail::AnySink<float>& sink) {
   P::visit_contacts(pairs, std::size_t(), false, sink);
@@ -46,18 +46,18 @@ concept HasContactLanes = requires(const PairRef<float>* pairs, detail::AnySink<
 template <class P>
 concept HasLanes = HasOverlapRows<P> || HasDistanceRows<P> || HasContactLanes<P>;
 
-/// Whether `visit_contacts` tells itself which shapes of its kinds it does not take.
+/// Whether the kernels behind `visit_contacts` reject shapes that they do not take themselves.
 template <class P>
 constexpr bool takes_all_shapes() {
   return requires { P::takes_all_shapes; };
 }
 
-/// A pair with lanes by its place in the list, or none.
+/// A pair with lanes by its index in the list, or none.
 using LanePair = std::uint8_t;
 inline constexpr LanePair no_lanes = PairList::count;
 static_assert(2 * PairList::count < 256, "a queue's number takes eight bits");
 
-/// Calls `f` with the pair, if there is one, as its template's argument.
+/// Calls `f` with the pair, if it has lanes, as its template argument.
 template <class F>
 void with_lane_pair(LanePair pair, const F& f) {
   PairList::with(pair, [&]<class P>() {
@@ -65,7 +65,7 @@ void with_lane_pair(LanePair pair, const F& f) {
   });
 }
 
-/// A property of the pairs with lanes: `holds<P>()` of each.
+/// A property of the pairs with lanes: `holds<P>()` for each.
 class LanePairSet {
  public:
   template <class Holds>
@@ -86,7 +86,7 @@ inline constexpr LanePairSet with_overlap_rows([]<class P>() { return HasOverlap
     with_contact_lanes([]<class P>() { return HasContactLanes<P>; }),
     with_all_shapes([]<class P>() { return takes_all_shapes<P>(); });
 
-/// The lanes for two kinds: which pair of the list, and whether the two have to be turned round for it.
+/// The lanes for two kinds: a pair of the list, and whether the two shapes have to be swapped for it.
 struct LanesFor {
   LanePair pair = no_lanes;
   bool turned = false;
@@ -120,7 +120,7 @@ class LaneTable {
 template <class T>
 inline constexpr LaneTable<T> lane_table;
 
-/// Whether a kind stands in any pair that has lanes.
+/// Whether a kind is in any pair that has lanes.
 template <class C, class T>
 constexpr bool has_lanes() {
   bool found = false;
@@ -131,8 +131,8 @@ constexpr bool has_lanes() {
   return found;
 }
 
-/// Whether a shape is what lanes take for its kind: a capsule untapered and with a side, a box or rectangle with a
-/// length along every side that no product of lengths overflows or vanishes for, any of other kinds.
+/// Whether lanes take a shape: an untapered capsule with a side, a box or rectangle whose lengths along every side have
+/// products that neither overflow nor vanish, any shape of other kinds.
 template <class C>
 bool taken_by_lanes(const C&) {
   return true;
@@ -151,7 +151,7 @@ bool taken_by_lanes(const Capsule<T>& capsule) {
   return has_untapered_side(capsule);
 }
 
-/// The same of a concrete shape whose kind is known by its place.
+/// Whether lanes take a concrete shape whose kind is given by its index.
 template <class T>
 bool taken_by_lanes(std::size_t kind, const void* concrete) {
   if (kind == detail::kind_of<Box<T>, T>()) return taken_by_lanes(*static_cast<const Box<T>*>(concrete));
@@ -160,12 +160,12 @@ bool taken_by_lanes(std::size_t kind, const void* concrete) {
   return true;
 }
 
-/// Whether so many concrete shapes of one kind, at least one, all are; `at(k)` is the k-th.
+/// Whether lanes take all of `count` >= 1 concrete shapes of one kind; `at(k)` is the k-th.
 template <class T, class At>
 bool all_taken_by_lanes(std::size_t kind, std::size_t count, const At& at) {
   bool all = true;
   if (kind == detail::kind_of<Box<T>, T>()) {
-    // If the least and the greatest sides are such a box's, all are.
+    // If the smallest and the largest sides are in range, all are.
     Vec3<T> low = static_cast<const Box<T>*>(at(0))->half_extents(), high = low;
     for (std::size_t k = 1; k < count; ++k) {
       const Vec3<T>& half = static_cast<const Box<T>*>(at(k))->half_extents();
@@ -179,7 +179,7 @@ bool all_taken_by_lanes(std::size_t kind, std::size_t count, const At& at) {
   return all;
 }
 
-/// The concrete shape, if lanes take it, else null.
+/// The concrete shape if lanes take it, else null.
 template <class T>
 const void* concrete_for_lanes(const Shape<T>& shape) {
   if (shape.rounding() != T(0)) return nullptr;
@@ -192,8 +192,8 @@ const void* concrete_for_lanes(const Shape<T>& shape) {
   });
 }
 
-/// Has the pair's kernels find the contacts of up to `Sink::most` pairs of concrete shapes that lanes take, and hands
-/// them to the sink (`contact_sink.hpp`), told in the order of whoever asks.
+/// Finds the contacts of up to `Sink::most` pairs of concrete shapes that lanes take, by the pair's kernels, and passes
+/// them to the sink (`contact_sink.hpp`), in the caller's order of the shapes.
 template <class T, class Sink>
 void visit_lane_contacts(const LanesFor& lanes, const PairRef<T>* pairs, std::size_t count, Sink& sink) {
   with_lane_pair(lanes.pair, [&]<class P>() {

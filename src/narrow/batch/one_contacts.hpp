@@ -1,6 +1,6 @@
-// Contacts of many pairs that touch in one point, or in two where capsules lie, by a kernel for them.
+// Contacts of many pairs that touch in one point, or in two for capsules on their sides, by a kernel for them.
 //
-// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+// Guarantee: for each pair the answer of `convex_contacts`, bit for bit.
 #pragma once
 
 #include "narrow/batch/contact_sink.hpp"
@@ -13,7 +13,7 @@ PointContact<T> mirrored(const PointContact<T>& c) {
   return {mirrored(c.point), -c.normal};
 }
 
-/// Hands on the contact of a capsule that lies.
+/// Passes on the contact of a capsule on its side.
 template <class T, class Sink>
 void visit_segment(const SegmentContact<T>& found, const std::uint32_t* features, bool turned, std::size_t i,
                    Sink& sink) {
@@ -22,12 +22,12 @@ void visit_segment(const SegmentContact<T>& found, const std::uint32_t* features
   sink.several(i, found.distance, points.normal(), points, 2);
 }
 
-/// A kernel that finds the contacts of pairs which have one at most; of capsules that lie it lists them at the end.
+/// A kernel that finds the contacts of pairs with one point at most; capsules on their sides go to a list of their own.
 template <class T>
 using OneContactKernel = void (*)(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*, SegmentContact<T>*);
 
-/// Has the kernel find the contacts of up to `Sink::most` pairs and hands them to the sink, in their order. `turned`: A
-/// is the second of the two for whoever asks. `features`: the names of what touches, by `feature_place`.
+/// Finds the contacts of up to `Sink::most` pairs by the kernel and passes them to the sink, in order. `turned`: A is
+/// the caller's second shape. `features`: the features of both shapes, by `feature_place`.
 template <class T, class Sink>
 void visit_one_contacts(OneContactKernel<T> kernel, const std::uint32_t* features, const PairRef<T>* pairs,
                         std::size_t count, bool turned, Sink& sink) {

@@ -1,4 +1,4 @@
-// A bundle of pairs in lanes: shapes and poses gathered from where they stand. Only for `*.kernel.cpp`.
+// A bundle of pairs in lanes: shapes and poses gathered from the addresses in `PairRef`s. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace graze::GRAZE_ISA {
 
-// The numbers of a shape, as its class holds them; that of each lane stands where `row(lane)` points to.
+// The numbers of a shape, as its class holds them; `row(lane)` is the address of a lane's.
 template <class T, class Row>
 [[gnu::always_inline]] inline auto load(const Row& row, const Sphere<T>*) {
   static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
@@ -55,7 +55,7 @@ template <class T, class Row>
   return {{t[0], t[1], t[2]}, {q[0], q[1], q[2], q[3]}};
 }
 
-/// Rows of which only the type matters.
+/// A row function for unevaluated types.
 struct Nowhere {
   const void* operator()(std::size_t lane) const;
 };
@@ -73,7 +73,7 @@ struct PairBundle {
   S margin;
 
   [[gnu::always_inline]] PairBundle(const PairRef<T>* pairs, std::size_t left) : count(left < lanes ? left : lanes) {
-    // Whether lanes stay empty is asked once, not of each lane.
+    // One test for empty lanes, not one for each lane.
     PairRef<T> filled[lanes];
     if (left < lanes) {
       for (std::size_t i = 0; i < lanes; ++i) filled[i] = pairs[i < left ? i : left - 1];
@@ -90,14 +90,14 @@ struct PairBundle {
   }
 };
 
-/// Writes the first `count` lanes, those that hold a pair, to a column of a block.
+/// Writes the first `count` lanes, those with a pair, to a column of a block.
 template <class T>
 [[gnu::always_inline]] inline void put(T* column, const Lanes<T>& v, std::size_t count) {
   if (count == static_cast<std::size_t>(lanes_of<T>)) return v.store(column);
   for (std::size_t i = 0; i < count; ++i) column[i] = v[static_cast<int>(i)];
 }
 
-/// A lane, rounded to T.
+/// The vector of one lane, rounded to T.
 template <class T, class S>
 [[gnu::always_inline]] inline Vec3<T> lane(const Vec3<S>& v, int i) {
   return {static_cast<T>(v.x[i]), static_cast<T>(v.y[i]), static_cast<T>(v.z[i])};

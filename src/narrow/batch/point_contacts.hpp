@@ -1,4 +1,4 @@
-// What lanes find of pairs with one point of contact at most, for those who asked by pointers. Only for `*.kernel.cpp`.
+// Results of lanes for pairs with one point of contact at most, given by pointers. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -33,7 +33,7 @@ template <class T>
   }
 }
 
-/// The same of a bundle of pairs of A and B, and how they meet within the margins, which is returned, too.
+/// Writes a bundle of pairs of A and B, and how they meet within the margins, which is returned, too.
 template <class A, class B, class T>
 [[gnu::always_inline]] inline Lanes<T> put_all(const RoundContact<Lanes<T>>& c, const Lanes<T>& margin,
                                                const Lanes<T>& weight, PointContact<T>* contacts, Meeting* meetings) {

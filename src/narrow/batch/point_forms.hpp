@@ -1,5 +1,5 @@
-// Manifolds and their points from lanes to rows, in each form that a batch's answer has: whole contacts and compact
-// ones. Only for `*.kernel.cpp`.
+// Manifolds and points from lanes to rows, in each form of a batch's answer: full contacts and compact ones. Only for
+// `*.kernel.cpp`.
 //
 // Guarantee: the bits of a row are the same in each form and at every level. Everything is inlined or lives in the
 // namespace of the level.
@@ -14,7 +14,7 @@ namespace graze::GRAZE_ISA {
 #if defined(__AVX512F__)
 namespace gathering {
 
-/// Of two registers, of every four lanes 2 k + {0, 1, 8, 9}, for k = 2 `half` and the next, those of both by turns.
+/// From each of two registers the lanes 2 k + {0, 1, 8, 9}, for k = 2 `half` and the next, in turn from both.
 template <std::size_t half, class V, std::size_t... I>
 [[gnu::always_inline]] inline V every_other_two(const V& a, const V& b, std::index_sequence<I...>) {
   return __builtin_shufflevector(a, b, (I % 2 * 16 + 2 * (2 * half + I % 4 / 2) + I / 4 % 2 + I / 8 * 8)...);
@@ -30,7 +30,7 @@ template <class V>
   out[2] = paired<0>(high01, high23, Sixteen());
   out[3] = paired<1>(high01, high23, Sixteen());
 }
-/// Of eight columns the rows, two in each register, in their order.
+/// Transposes eight columns to rows in order, two in each register.
 template <class V>
 [[gnu::always_inline]] inline void rows_of_eight(const V (&columns)[8], V (&rows)[8]) {
   V low[4], high[4];
@@ -45,7 +45,7 @@ template <class V>
 }  // namespace gathering
 #endif
 
-/// Lanes of whole numbers as what registers of numbers hold.
+/// Integer lanes reinterpreted as a register of numbers.
 [[gnu::always_inline]] inline Lanes<float> as_lanes(const Lanes<float>::BitVector& whole) {
   return Lanes<float>::of(reinterpret_cast<Lanes<float>::Vector>(whole));
 }
@@ -53,7 +53,7 @@ template <class V>
   return as_lanes(Lanes<float>::BitVector{} + static_cast<std::int32_t>(whole));
 }
 
-/// The numbers of features of points, by the numbers of their parts.
+/// The feature numbers of points, from the numbers of their parts.
 template <class T>
 [[gnu::always_inline]] inline typename Lanes<T>::BitVector
 feature_ids(const std::uint32_t (&features_a)[most_parts], const typename Lanes<T>::BitVector& part_a,
@@ -68,13 +68,13 @@ feature_ids(const std::uint32_t (&features_a)[most_parts], const typename Lanes<
   }
 }
 
-/// Points in lanes: where on A and on B, and how far apart.
+/// Points in lanes: positions on A and on B, and their distance.
 template <class T>
 struct LanePoints {
   Lanes<T> a[3], b[3], distance;
 };
 
-/// Writes a row for each of the lanes; `features()` gives what touches.
+/// Writes a row for each of the lanes; `features()` returns the feature numbers.
 template <class T, class Features>
 [[gnu::always_inline]] inline void put_rows(const LanePoints<T>& points, const Features& features,
                                             ContactPoint<T>* to) {
@@ -102,7 +102,7 @@ template <class T, class Features>
   }
 }
 
-/// Points in few bytes. Those between the two of all but balls are in the middle (`ContactPoint::weight`).
+/// Writes compact points. The position is the middle of the two (`ContactPoint::weight`) for all pairs but balls.
 template <class T, class Features>
 [[gnu::always_inline]] inline void put_rows(const LanePoints<T>& points, const Features&,
                                             typename CompactContacts<T>::Point* to) {
@@ -117,14 +117,14 @@ template <class T, class Features>
   }
 }
 
-/// Manifolds in lanes: the normal, the number of the first point, and how many points.
+/// Manifolds in lanes: the normal, the number of the first point, and the number of points.
 template <class T>
 struct LaneManifolds {
   Vec3<Lanes<T>> normal;
   typename Lanes<T>::BitVector first_point, point_count;
 };
 
-/// Writes a row for each lane of `chosen`, behind those that a block has; the first lane is its `first`-th pair.
+/// Writes a row for each lane of `chosen`, behind those of a block; the first lane is its `first`-th pair.
 template <class T>
 [[gnu::always_inline]] inline void put_manifolds(const LaneManifolds<T>& m, std::uint32_t chosen, std::size_t,
                                                  PointBlock<T>& block) {
@@ -146,7 +146,7 @@ template <class T>
                  static_cast<std::uint32_t>(m.point_count[i])};
   }
 }
-/// Manifolds in few bytes; the pairs have the numbers `block.pairs`.
+/// Writes compact manifolds; the pairs have the numbers `block.pairs`.
 template <class T>
 [[gnu::always_inline]] inline void put_manifolds(const LaneManifolds<T>& m, std::uint32_t chosen, std::size_t first,
                                                  CompactBlock<T>& block) {

@@ -1,12 +1,12 @@
-// What lanes find of pairs with several points of contact each, as rows of points, pair after pair. Only for
+// Results of lanes for pairs with several points of contact each, as rows of points, pair after pair. Only for
 // `*.kernel.cpp`.
 //
 // Guarantee: the points of a pair in the order of their slots; the same bits at every level. Everything is inlined or
 // lives in the namespace of the level.
 //
-// Pairs have points in different slots, and most slots are empty. So what a point is made of is put together first,
-// those of all pairs of a bundle one behind the other, and what is left to do is done to points, a full register of
-// them at a time, whoever's they are.
+// Pairs have points in different slots, and most slots are empty. So the numbers of points are first compacted, those
+// of all pairs of a bundle one behind the other, and all further work is done on points, a full register of them at a
+// time, regardless of their pairs.
 #pragma once
 
 #include "narrow/batch/point_forms.hpp"
@@ -20,7 +20,7 @@ struct PointColumns {
   static constexpr std::size_t lanes = lanes_of<T>, most = lanes * most_block_points;
 
   T numbers[width][most + lanes];
-  Bits lane[most + lanes];  ///< whose point it is
+  Bits lane[most + lanes];  ///< lane of the point's pair
   std::size_t count;
 
   [[gnu::always_inline]] Lanes<T> operator()(std::size_t column, std::size_t first) const {
@@ -33,7 +33,7 @@ struct PointColumns {
   }
 };
 
-/// Puts columns of slots together, of the slots that are filled: bit i of a lane of `filled` is its slot i.
+/// Compacts columns of slots to those that are filled: bit i of a lane of `filled` is its slot i.
 template <class T, std::size_t width>
 [[gnu::always_inline]] inline void put_together(const Lanes<T>* const (&slots)[width], const Lanes<T>& filled,
                                                 PointColumns<T, width>& to) {
@@ -87,7 +87,7 @@ template <class T, std::size_t width>
   }
 }
 
-/// In each lane that one of `v` whose place it holds.
+/// In each lane the element of `v` at the index in that lane of `places`.
 template <class T>
 [[gnu::always_inline]] inline Lanes<T> lanes_at(const Lanes<T>& v, const typename Lanes<T>::BitVector& places) {
 #if defined(__AVX512F__)
@@ -111,7 +111,7 @@ template <class T>
 #endif
 }
 
-/// Numbers of points, of which two are the same where both are of one pair and have the same parts.
+/// Keys of points, equal exactly for two points of one pair with the same parts.
 template <class T>
 class PointKeys {
   using S = Lanes<T>;
@@ -125,7 +125,7 @@ class PointKeys {
   [[gnu::always_inline]] void put(std::size_t first, const S& lane, const S& part_a, const S& part_b) {
     ((lane * S(T(most_parts)) + part_a) * S(T(most_parts)) + part_b).store(keys_ + (most_block_points + first));
   }
-  /// Whether any of the first so many comes twice.
+  /// Whether any of the first `count` keys comes twice.
   [[gnu::always_inline]] bool any_twice(std::size_t count) {
     for (std::size_t k = 0; k < lanes; ++k) keys_[most_block_points + count + k] = none - T(1 + k);
     typename S::Mask twice = S(none) < S(none);
@@ -142,18 +142,19 @@ class PointKeys {
   T keys_[most_block_points + most + lanes];
 };
 
-/// Points ahead of those that are written, whose lines are fetched: those of the next pairs are likely to come there.
+/// Number of points ahead of those being written whose lines are prefetched, since the next pairs' points are likely to
+/// come there.
 inline constexpr std::size_t points_ahead = 64;
 
-/// Before the first bundle.
+/// Empties a block before the first bundle.
 template <class T, class Form>
 [[gnu::always_inline]] inline void clear(PointBlock<T, Form>& block) {
   block.known = block.manifold_count = block.point_count = 0;
   block.any_twice = false;
 }
 
-/// Appends the points of a bundle to those of a block, as `make(columns, first)` makes them of the columns from the
-/// `first`-th point on: `LanePoints` and the numbers of their parts.
+/// Appends the points of a bundle to those of a block. `make(first, points, part_a, part_b)` computes them,
+/// `LanePoints` and the numbers of their parts, from the columns beginning with the `first`-th point.
 template <class T, std::size_t width, class Make, class Form>
 [[gnu::always_inline]] inline void
 append_points(const PointColumns<T, width>& columns, const std::uint32_t (&features_a)[most_parts],
@@ -176,9 +177,8 @@ append_points(const PointColumns<T, width>& columns, const std::uint32_t (&featu
   if (keys.any_twice(columns.count)) block.any_twice = true;
 }
 
-/// Writes the manifolds of a bundle of which `count` lanes are filled, the first with the block's `first`-th pair.
-/// Those that are not `known` have none and no points, nor have lanes without a pair: of these slots `filled` becomes
-/// empty.
+/// Writes the manifolds of a bundle of which `count` lanes are filled, beginning with the block's `first`-th pair.
+/// Lanes that are not `known` or hold no pair have no manifold and no points: their bits in `filled` are cleared.
 template <class T, class Form>
 [[gnu::always_inline]] inline void put_pairs(const Vec3<Lanes<T>>& normal, const Lanes<T>& known, std::size_t first,
                                              std::size_t count, Lanes<T>& filled, PointBlock<T, Form>& block) {

@@ -1,5 +1,4 @@
-// What lanes find of pairs in rows, where that is one answer a pair: whether they touch, or how far apart they are.
-// Only for `*.kernel.cpp`.
+// Results of lanes for pairs in rows with one answer a pair: overlap or distance. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -36,9 +35,9 @@ template <class T>
   }
 }
 
-/// Goes through the rows a bundle at a time: `answer(bundle, filled, first)` writes what is found of the pairs from the
-/// `first`-th on in the `filled` lanes that hold one, and tells in which lanes that is right. Returns how many it is
-/// not right of, whose places are in `unknown`.
+/// Visits the rows a bundle at a time: `answer(bundle, filled, first)` writes the answers to the pairs from the
+/// `first`-th on in the `filled` lanes that hold one, and returns the lanes in which they are known. Returns the number
+/// of unknown ones, whose indices are written to `unknown`.
 template <class A, class B, class T, class Answer>
 inline std::uint32_t answer_rows(const PairRows<T>& rows, std::size_t count, std::uint8_t* unknown,
                                  const Answer& answer) {

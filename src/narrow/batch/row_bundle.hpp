@@ -10,14 +10,14 @@
 
 namespace graze::GRAZE_ISA {
 
-/// The lanes' shapes, and in which lanes they are such that kernels take them.
+/// The lanes' shapes, and the lanes in which they are regular, so that kernels take them.
 template <class Core, class S>
 struct RowShapes {
   Rounded<Core, S> shapes;
   typename S::Mask regular;
 };
 
-/// All set.
+/// The mask with all lanes set.
 template <class S>
 [[gnu::always_inline]] inline typename S::Mask everywhere() {
   return {~typename S::BitVector{}};
@@ -74,7 +74,7 @@ template <class T>
   return RowShapes<PlaneCore, S>{{{}, S(0)}, everywhere<S>()};
 }
 
-/// Whether it does not matter how the lanes' shapes are turned.
+/// Whether the rotations of the lanes' shapes have no influence.
 template <class Core, class S>
 [[gnu::always_inline]] inline bool centred(const Rounded<Core, S>&) {
   return false;
@@ -84,7 +84,7 @@ template <class S>
   return is_origin(balls.core.point);
 }
 
-/// The lanes' poses; without their rotations, if those do not matter.
+/// The lanes' poses, without rotations where these have no influence.
 template <class T>
 [[gnu::always_inline]] inline Pose<Lanes<T>> load_rows(const Pose<T>* from, bool unturned) {
   static_assert(sizeof(Pose<T>) == 7 * sizeof(T));
@@ -114,16 +114,16 @@ struct RowBundle {
         pose_a(load_rows(rows.pose_a + first, centred(a.shapes))),
         pose_b(load_rows(rows.pose_b + first, centred(b.shapes))) {}
 
-  /// In which lanes both shapes are such that kernels take them.
+  /// The lanes in which both shapes are regular.
   [[gnu::always_inline]] typename S::Mask regular() const { return a.regular & b.regular; }
 };
 
-/// Pairs ahead of those that a kernel is at, whose rows are fetched. A bundle at a time: a processor fetches a few
-/// dozen lines at once and waits with more. Those of a whole chunk at once took a fifth of the time of contacts of
+/// Number of pairs ahead of a kernel's present one whose rows are prefetched. A bundle at a time: a processor fetches a
+/// few dozen lines at once and delays more. Those of a whole chunk at once took a fifth of the time of contacts of
 /// boxes.
 inline constexpr std::size_t rows_ahead = 64;
 
-/// Has the rows of a bundle brought near that begins with the `first`-th, which may be behind the end.
+/// Prefetches the rows of a bundle that begins with the `first`-th, which may be behind the end.
 template <class A, class B, class T>
 [[gnu::always_inline]] inline void fetch_rows(const PairRows<T>& rows, std::size_t first) {
   fetch_lines<false>(static_cast<const A*>(rows.a) + first, lanes_of<T>);
@@ -132,7 +132,7 @@ template <class A, class B, class T>
   fetch_lines<false>(rows.pose_b + first, lanes_of<T>);
 }
 
-/// Writes the places of the lanes whose bits are set, of which the first lane's is `first`.
+/// Writes the indices of the lanes whose bits are set, the first lane's being `first`.
 [[gnu::always_inline]] inline void append_places(std::uint32_t bits, std::size_t first, std::uint8_t* places,
                                                  std::uint32_t& count) {
   for (; bits != 0; ++first, bits >>= 1)
@@ -144,7 +144,7 @@ struct ByteVector {
   typedef std::uint8_t type __attribute__((vector_size(N)));
 };
 
-/// Writes the first `count` lanes of whole numbers, a byte each.
+/// Writes the first `count` lanes of integers, a byte each.
 template <class T>
 [[gnu::always_inline]] inline void put_bytes(const typename Lanes<T>::BitVector& whole, std::size_t count,
                                              std::uint8_t* to) {

@@ -1,4 +1,4 @@
-// What lanes find of a round shape and another, as rows of the answer of a batch. Only for `*.kernel.cpp`.
+// Results of lanes for a sphere or capsule and another shape, as rows of a batch's answer. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// The names of parts.
+/// The features of parts, by lane.
 template <class T, std::size_t size>
 [[gnu::always_inline]] inline typename Lanes<T>::BitVector named(const std::uint32_t (&names)[size],
                                                                  const Lanes<T>& parts) {
@@ -22,7 +22,7 @@ template <class T, std::size_t size>
   }
 }
 
-/// The names of what touches of A and B.
+/// The feature numbers of A and B together.
 template <class A, class B, class T>
 [[gnu::always_inline]] inline typename Lanes<T>::BitVector features_of(const RoundContact<Lanes<T>>& c) {
   using Whole = typename Lanes<T>::BitVector;
@@ -45,8 +45,8 @@ template <class A, class B, class T>
   return of_a() << 16 | of_b();
 }
 
-/// Writes the lanes that hold a pair, of which the first is the `first`-th of `count`, and adds to the counts.
-/// `put_lying(bits, sides)` writes what it finds of those that may lie, one behind the other.
+/// Writes the lanes that hold a pair, the first of which is the `first`-th of `count`, and adds to the counts.
+/// `put_lying(bits, sides)` writes the contacts of capsules on their sides, one behind the other.
 template <class A, class B, class T, class PutLying>
 [[gnu::always_inline]] inline void
 put_rows(const RowBundle<A, B, T>& p, const RoundContact<Lanes<T>>& c, const Lanes<T>& weight, T margin, bool turned,

@@ -1,6 +1,6 @@
 // Contacts of many pairs of triangles, by the kernels for them.
 //
-// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+// Guarantee: for each pair the answer of `convex_contacts`, bit for bit.
 #pragma once
 
 #include "narrow/batch/box_batch.hpp"
@@ -8,7 +8,7 @@
 
 namespace graze {
 
-/// Asks about up to `most_chunk` pairs of triangles without a margin, as `visit_contacts` does.
+/// Finds the contacts of up to `most_chunk` pairs of triangles without rounding, as `visit_contacts` does.
 template <class T, class Apart, class Met, class Unknown>
 void visit_triangle_pair_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                                   const Unknown& unknown) {

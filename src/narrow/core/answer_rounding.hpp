@@ -1,4 +1,4 @@
-// How far off numbers are that were rounded to the scalar of an answer: for routines in double that serve both scalars.
+// Rounding of numbers to the scalar of an answer, for routines in double that serve both scalars.
 #pragma once
 
 #include "graze/result.hpp"
@@ -6,10 +6,10 @@
 
 namespace graze {
 
-/// Relative to the smaller shape.
+/// Roundings relative to the smaller shape.
 struct AnswerRounding {
-  double normal;  ///< of its components
-  double point;   ///< up to where two points count as one
+  double normal;  ///< of a normal's components
+  double point;   ///< distance within which two points count as one
 };
 template <class T>
 consteval AnswerRounding answer_rounding() {

@@ -1,5 +1,5 @@
-// The simplest cores: what is left of a shape when its rounding is taken off, where that is a point, a segment or a
-// box. Closed forms are written for these, and so serve every shape that has such a core.
+// The simplest cores, shapes without their rounding: points, segments and boxes. Closed forms are written for these,
+// and so serve every shape that has such a core.
 #pragma once
 
 #include <type_traits>
@@ -18,7 +18,7 @@ struct PointCore {
 template <class S>
 struct SegmentCore {
   Segment<S> segment;
-  S error = S(0);  ///< how far rounding may have put its ends from where they belong
+  S error = S(0);  ///< distance by which rounding may have displaced its ends
 };
 /// A segment along Y about the origin.
 template <class S>
@@ -29,29 +29,29 @@ template <class S>
 struct BoxCore {
   Vec3<S> half;
 };
-/// Of a triangle, which has routines of its own.
+/// The core of a triangle, which has routines of its own.
 template <class S>
 struct TriangleCore {
   Vec3<S> point[3];
 };
-/// The half-space y <= 0, which is all in its pose.
+/// The half-space y <= 0, which is determined by its pose alone.
 struct PlaneCore {};
-/// An `AxisCore` where a pose puts it.
+/// An `AxisCore` under a pose.
 template <class S>
 struct TurnedAxis {
-  Vec3<S> middle, axis;  ///< the axis of unit length
+  Vec3<S> middle, axis;  ///< `axis`: of unit length
   S half;
 
   Vec3<S> at(const S& along) const { return middle + axis * along; }
-  /// Where along it lies the point nearest to one that is `along` the line through it.
+  /// The position on the segment nearest to a point at `along` on the line through it.
   S within(const S& along) const { return clamp(along, -half, half); }
 };
-/// Whether it is the origin, of all lanes.
+/// Whether a point is the origin in all lanes.
 template <class S>
 bool is_origin(const Vec3<S>& point) {
   return all((point.x == S(0)) & (point.y == S(0)) & (point.z == S(0)));
 }
-/// Any other core: the general path answers for it.
+/// Any other core, which is left to the general path.
 struct NoCore {};
 
 template <class S, class T>
@@ -71,7 +71,7 @@ template <class T>
 PointCore<T> core_of(const Sphere<T>& sphere) {
   return {sphere.center()};
 }
-/// Of an untapered capsule only: `has_core` tells.
+/// The core of an untapered capsule; `has_core` is false for others.
 template <class T>
 SegmentCore<T> core_of(const Capsule<T>& capsule) {
   return {{{T(0), -capsule.half_height(), T(0)}, {T(0), capsule.half_height(), T(0)}}};
@@ -93,7 +93,7 @@ NoCore core_of(const C&) {
   return {};
 }
 
-/// Whether this value of a shape has the core that its type promises.
+/// Whether this object has the core that its type promises.
 template <class C>
 bool has_core(const C& concrete) {
   if constexpr (requires { concrete.tapered(); })
@@ -102,18 +102,18 @@ bool has_core(const C& concrete) {
     return !std::is_same_v<decltype(core_of(concrete)), NoCore>;
 }
 
-/// Whether a capsule is even and has a length: closed forms for its side are for such ones.
+/// Whether a capsule is untapered and has a length, as closed forms for its side require.
 template <class T>
 bool has_untapered_side(const Capsule<T>& capsule) {
   const bool even = !capsule.tapered(), long_enough = capsule.half_height() > T(0);
-  return even & long_enough;  // not &&: of many, each jump would have to be guessed
+  return even & long_enough;  // not &&: over many capsules each branch would be mispredicted
 }
 
-/// The distance from one to the next number, of a scalar or of each lane.
+/// The machine epsilon of a scalar, or of a lane's scalar.
 template <class S>
 inline constexpr typename LaneOf<S>::type epsilon = std::numeric_limits<typename LaneOf<S>::type>::epsilon();
 
-/// A core and what rounds it.
+/// A core with its rounding radius.
 template <class Core, class S>
 struct Rounded {
   Core core;
@@ -127,7 +127,7 @@ struct CoreDistance {
   Vec3<S> normal, a, b;
 };
 
-/// The nearest points of two cores; of cores that overlap, one point of both.
+/// The nearest points of two cores; for cores that overlap, one common point.
 template <class S>
 struct CorePoints {
   Vec3<S> a, b;
@@ -158,7 +158,7 @@ template <class S>
 Vec3<S> direction_of(const Vec3<S>& v, const S& length_of_v) {
   using T = typename LaneOf<S>::type;
   constexpr bool single = sizeof(T) == 4;
-  // Between these lengths the square is a normal number, and the square of the last digit of the length too.
+  // Between these lengths both the square and the square of the length's last digit are normal numbers.
   constexpr T least_safe = single ? T(1e-12) : T(1e-138), most_safe = single ? T(1e19) : T(1e154);
   constexpr T up = single ? T(0x1p100) : T(0x1p800), down = single ? T(0x1p-100) : T(0x1p-800);
   const auto small = length_of_v<S(least_safe), large = length_of_v> S(most_safe);
@@ -168,7 +168,7 @@ Vec3<S> direction_of(const Vec3<S>& v, const S& length_of_v) {
   return w * (S(1) / select(l > S(0), l, S(1)));
 }
 
-/// The answer for two points of cores that do not overlap: along the line between them, or along the unit vector
+/// The distance of two disjoint cores from their nearest points: along the line between them, or along the unit vector
 /// `known` where that is the same line up to `noise`, the error of `b - a`: `known` has all its digits.
 template <class S>
 CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& known, const S& noise) {
@@ -181,12 +181,12 @@ CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& known
   return {d, select(is_known, toward, direction_of(v, d)), a, b};
 }
 
-/// Two cores nearer than this part of their coordinates have a normal whose digits the difference of their nearest
-/// points has lost, up to where it matters for the gap along the normal.
+/// Distance of two cores, relative to their coordinates, below which the difference of their nearest points has lost
+/// digits that matter for the gap along the normal.
 inline constexpr double near_part = 1.0 / 64;
 
-/// The normal of two cores, one of them a segment that it leaves at `at`, without what rounding left of it along the
-/// segment: none within it, and at an end none that leads to points further out along the normal.
+/// The normal of two cores, one of them a segment with the nearest point `at`, without its rounding error along the
+/// segment: no component along it within it, and at an end none towards points further out along the normal.
 template <class S>
 Vec3<S> leaving(const Vec3<S>& normal, const Segment<S>& segment, const Vec3<S>& at) {
   const auto is = [](const Vec3<S>& p, const Vec3<S>& q) { return (p.x == q.x) & (p.y == q.y) & (p.z == q.z); };
@@ -196,7 +196,7 @@ Vec3<S> leaving(const Vec3<S>& normal, const Segment<S>& segment, const Vec3<S>&
   return normal - d * select(at_b, least(part, S(0)), select(at_a, greatest(part, S(0)), part));
 }
 
-/// The unit vector of what is left of a normal, or the normal itself where that is next to nothing.
+/// The unit vector of a corrected normal `left`, or `normal` itself where little is left.
 template <class S>
 Vec3<S> renormalized(const Vec3<S>& left, const Vec3<S>& normal) {
   const S l = length(left);

@@ -1,4 +1,4 @@
-// How deep a point lies inside a core, where a closed form tells: all that moves a point of one core out of the other
+// The depth of a point inside a core, in closed form: any translation that moves a point of one core out of the other
 // is at least as long, which proves a depth without a search (the distance to the boundary of a convex body is the
 // least over all directions).
 //
@@ -13,7 +13,7 @@
 
 namespace graze {
 
-/// Of a solid of revolution about Y, whose profile is a trapezoid: the least distance to its three lines.
+/// For a solid of revolution about Y whose profile is a trapezoid: the least distance to its three lines.
 template <class T>
 double inside_core(const Cylinder<T>& c, const Vec3d& point) {
   const auto half = static_cast<double>(c.half_height()), bottom = static_cast<double>(c.radius_bottom()),
@@ -25,7 +25,7 @@ double inside_core(const Cylinder<T>& c, const Vec3d& point) {
   const double side = ((bottom - across) * height - (point.y + half) * taper) / slant;
   return least(half - std::abs(point.y), side);
 }
-/// Of a tapered capsule, which is a ball and a point, and the cone between them (as of two balls).
+/// For a tapered capsule, which is a ball and a point, and the cone between them (as of two balls).
 template <class T>
 double inside_core(const Capsule<T>& c, const Vec3d& point) {
   const auto half = static_cast<double>(c.half_height()), core = static_cast<double>(c.core_radius());
@@ -35,8 +35,8 @@ double inside_core(const Capsule<T>& c, const Vec3d& point) {
     return radius - std::sqrt(across * across + (point.y - y) * (point.y - y));
   };
   if (std::abs(taper) >= height) return taper > 0 ? inside_ball(bottom, -half) : inside_ball(top, half);
-  // Along the side's generator from where it leaves the lower ball: the lower ball is nearest before it, the upper one
-  // beyond its end.
+  // Position along the side's generator from where it leaves the lower ball: the lower ball is nearest before it, the
+  // upper one beyond its end.
   const double sine = taper / height, cosine = std::sqrt((1 - sine) * (1 + sine));
   const double along = cosine * (point.y + half) - sine * across;
   if (along <= 0) return inside_ball(bottom, -half);

@@ -1,5 +1,4 @@
-// A box, a triangle or a small hull with its facets by rows: a hull's stand in it, those of the others are written
-// here.
+// A box, a triangle or a small hull with its facets in rows: a hull holds its own, those of the others are made here.
 //
 // Guarantee: faces, edges and vertices have the numbers that `Polyhedron` gives them.
 #pragma once
@@ -10,7 +9,7 @@
 
 namespace graze {
 
-/// Which faces an edge lies between, and that these are perpendicular.
+/// The faces on both sides of each edge, which are perpendicular.
 template <std::size_t count>
 constexpr EdgeBlock perpendicular_edges(const std::array<HullEdge, count>& edges) {
   static_assert(count <= EdgeBlock::size);
@@ -31,7 +30,7 @@ inline constexpr EdgeBlock triangle_edge_block = perpendicular_edges(triangle_ed
 
 class FacetedShape {
  public:
-  /// Of a shape for which `has_facets` holds, and which outlives this.
+  /// Takes a shape for which `has_facets` holds, and which must outlive this object.
   explicit FacetedShape(const Shape<float>& shape);
   FacetedShape(const FacetedShape&) = delete;
   FacetedShape& operator=(const FacetedShape&) = delete;
@@ -44,14 +43,14 @@ class FacetedShape {
   void write_rows(std::size_t vertices, std::size_t faces, const std::uint8_t* vertex_of_face);
 
   FacetedHull view_;
-  // Of what is no hull.
+  // Storage for shapes other than hulls.
   VertexBlock block_;
   FaceBlock faces_;
   Vec3<float> vertices_[8];
   Plane<double> planes_[6];
 };
 
-/// A box, a rectangle, a triangle that is no sliver, or a hull with few edges.
+/// Whether the shape is a box, a rectangle, a triangle that is no sliver, or a hull with few edges.
 bool has_facets(const Shape<float>& shape);
 
 }  // namespace graze

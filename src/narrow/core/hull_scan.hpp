@@ -1,6 +1,6 @@
-// The scans of two small hulls on the lanes of a level, for the kernels that ask for points of their difference.
+// The scans of two small hulls on the lanes of a level, for kernels that need support points of their difference.
 //
-// Guarantee: as `hull_support.hpp`.
+// Guarantee: that of `hull_support.hpp`.
 #pragma once
 
 #include "narrow/core/hull_support.hpp"
@@ -8,7 +8,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// A float's block, which the scan has just read, holds the vertex itself.
+/// A vertex; a float's block, which the scan has just read, holds the vertex itself.
 template <class T>
 [[gnu::always_inline]] inline Vec3d vertex(const ScannedHull<T>& hull, std::uint32_t i) {
   if constexpr (sizeof(T) == sizeof(float)) {
@@ -20,7 +20,7 @@ template <class T>
   }
 }
 
-/// Of several vertices of B that may lie least far along a direction; by itself, since it is seldom asked.
+/// The vertex of B least far along a direction, among several candidates; out of line, since this is rare.
 template <class T>
 [[gnu::noinline]] std::uint32_t least_among(const HullPair<T>& hulls, VertexBits among, const Vec3d& direction) {
   return furthest_among(hulls.b, among, transposed_times(hulls.rotation, -direction));

@@ -1,9 +1,8 @@
-// The Minkowski difference of two small hulls, whose vertices are scanned; or of one and what `ScannedShape` makes a
-// hull of.
+// The Minkowski difference of two small hulls, whose vertices are scanned; or of one and a `ScannedShape`.
 //
-// Guarantee: as `MinkowskiDifference` of their cores, to the last bit; only where two corners of a box or a segment lie
-// equally far along a direction but for rounding, it may be the other. A query is one call of a kernel, in which the
-// two scans run beside each other.
+// Guarantee: that of `MinkowskiDifference` of their cores, to the last bit, except that of two corners of a box or a
+// segment equally far along a direction up to rounding either may be found. A query is one call of a kernel, in which
+// the two scans run in parallel.
 #pragma once
 
 #include "narrow/core/support_point.hpp"
@@ -11,7 +10,7 @@
 
 namespace graze {
 
-/// B - A, B turned and moved into A's frame.
+/// B - A, B rotated and moved into A's frame.
 template <class T>
 struct HullPair {
   ScannedHull<T> a, b;
@@ -19,8 +18,8 @@ struct HullPair {
   Vec3d translation;
 };
 
-/// B's vertices in A's frame: queries that read them turn neither a direction nor a point, of which they would wait for
-/// one after the other.
+/// B's vertices in A's frame: queries that read them transform neither a direction nor a point, a latency that would
+/// add to each query's.
 struct PlacedVertices {
   static constexpr std::size_t room = most_scan_blocks * VertexBlock::size;
   alignas(64) double x[room], y[room], z[room];
@@ -29,11 +28,11 @@ struct PlacedVertices {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// The point of the difference that lies least far along a direction.
+    /// The support point of the difference: the one least far along a direction.
     template <class T> void hull_support(const HullPair<T>& hulls, const Vec3d& direction, SupportPoint& point);
-    /// Costs as much as two or three queries.
+    /// Transforms B's vertices. Costs as much as two or three queries.
     template <class T> void place_vertices(const HullPair<T>& hulls, PlacedVertices& placed);
-    /// As `hull_support`, to the last bit.
+    /// As `hull_support`, to the last bit, with placed vertices.
     template <class T> void placed_support(const HullPair<T>& hulls, const PlacedVertices& placed,
                                            const Vec3d& direction, SupportPoint& point);)
 // clang-format on
@@ -47,14 +46,14 @@ class HullDifference {
         size_(static_cast<double>(size)),
         reach_(size_ + max_abs(b_in_a.translation)) {}
 
-  /// For the one question that most often tells that two hulls are apart.
+  /// The support point for the first query, which often suffices to separate two hulls; needs no `place()`.
   SupportPoint first_support(const Vec3d& direction) const {
     static const auto kernel = GRAZE_KERNEL(chosen_isa(), hull_support<T>);
     SupportPoint point;
     kernel(hulls_, direction, point);
     return point;
   }
-  /// Before all other questions.
+  /// Transforms B's vertices, before all other queries.
   void place() {
     static const auto kernel = GRAZE_KERNEL(chosen_isa(), place_vertices<T>);
     kernel(hulls_, placed_);

@@ -7,7 +7,7 @@ namespace {
 constexpr int double_lanes = lanes_of<double>;
 using Doubles = Lanes<double>;
 
-/// As many vertices of a hull as double's lanes, from a number on.
+/// A register of a hull's vertices in double, from a number on.
 template <class T>
 [[gnu::always_inline]] inline Vec3<Doubles> vertices_from(const ScannedHull<T>& hull, std::size_t first) {
   Vec3<Doubles> v;

@@ -1,4 +1,4 @@
-// The lanes of a bundle in double, as many as a register holds at a time. Only for `*.kernel.cpp`.
+// The lanes of a bundle in double, a register at a time. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -38,11 +38,11 @@ template <std::size_t part, class Core, class L>
   return Rounded<Found, Lanes<double>>{in_double<part>(shape.core), lanes_in_double<part>(shape.radius)};
 }
 
-/// How many registers in double, parts, the lanes of T fill.
+/// Number of registers in double, the parts, that the lanes of T fill.
 template <class T>
 inline constexpr std::size_t parts_of = sizeof(double) / sizeof(T);
 
-/// Calls `f(part)` for the number of each part, a constant, that holds some of `count` pairs.
+/// Calls `f(part)` with the number of each part, a constant, that holds some of `count` pairs.
 template <class T, class F>
 void visit_parts(std::size_t count, const F& f) {
   f(std::integral_constant<std::size_t, 0>());

@@ -1,8 +1,8 @@
-// The Minkowski difference of two cores, known by its support function.
+// The Minkowski difference of two cores, given by its support function.
 //
 // Everything iterative works in double, whichever scalar the shapes have: scalar code is as fast in it, and float's
-// tolerance is then met without an argument about cancellation. The frame is that of A, so coordinates are of the
-// order of the pair and not of the scene.
+// tolerance is then met without an argument about cancellation. The frame is that of A, so coordinates are of the order
+// of the pair and not of the scene.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@
 
 namespace graze {
 
-/// B - A for the cores of two concrete shapes, B seen from A. Any type with `core_support` and `core_extent` will do.
+/// B - A for the cores of two concrete shapes, in the frame of A. Takes any types with `core_support` and
+/// `core_extent`.
 template <class A, class B>
 class MinkowskiDifference {
  public:
@@ -22,8 +23,8 @@ class MinkowskiDifference {
     reach_ = size_ + max_abs(translation_);
   }
 
-  /// The point of the difference that lies *least* far along `direction`: A's support along it, B's against it. Its
-  /// offset along a unit direction is the shapes' separation along that direction.
+  /// The point of the difference that lies *least* far along `direction`: A's support point along it, B's against it.
+  /// Its offset along a unit direction is the shapes' separation along that direction.
   SupportPoint support(const Vec3d& direction) const {
     const Vec3d a = a_.core_support(direction);
     const Vec3d b = rotation_ * b_.core_support(transposed_times(rotation_, -direction)) + translation_;
@@ -32,9 +33,9 @@ class MinkowskiDifference {
 
   const Vec3d& center_offset() const { return translation_; }
   const Mat3d& rotation_of_b() const { return rotation_; }
-  /// The larger of the two cores' extents: what tolerances are relative to.
+  /// The larger of the two cores' extents, to which tolerances are relative.
   double size() const { return size_; }
-  /// The largest coordinate that can occur: what rounding errors are relative to.
+  /// The largest coordinate that can occur, to which rounding errors are relative.
   double reach() const { return reach_; }
 
  private:
@@ -45,18 +46,18 @@ class MinkowskiDifference {
   double size_, reach_;
 };
 
-/// What rounding leaves where a component of a unit vector should be zero, many times over: taken for zero, it does not
-/// reappear when a small question is asked at a large scale.
+/// Bound of a component of a unit vector that counts as zero, many times its rounding: set to zero, it does not
+/// reappear when a small pair is tested at a large scale.
 inline constexpr double negligible = 1e-30;
 
-/// A core that is a box and an ellipsoid added up, both about `center` along the core's own axes. A cylinder is a
-/// segment, a box of no width, and a disc, an ellipsoid of no height.
+/// A core that is the Minkowski sum of a box and an ellipsoid, both about `center` along the core's own axes. A
+/// cylinder is a segment, a box of zero width, plus a disc, an ellipsoid of zero height.
 struct SummedCore {
   Vec3d center, half, radii;
 };
 
-/// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes. What a support
-/// query of the simplest shapes needs is taken out of the shape once, in double.
+/// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes. The data for
+/// support queries of the simplest shapes are taken out of the shape once, in double.
 template <class T>
 class ShapeCore {
  public:
@@ -96,7 +97,7 @@ class ShapeCore {
   }
   double core_extent() const { return extent_; }
 
-  /// What the core is the sum of, where it is one.
+  /// The core as a sum, where it is one.
   std::optional<SummedCore> summed() const {
     const Vec3d& v = vertex_[0];
     switch (kind_) {
@@ -114,7 +115,7 @@ class ShapeCore {
  private:
   enum class Kind : unsigned char { point, box, triangle, hull, round, ellipsoid, other };
 
-  /// Of a cylinder, `across` being the length of the direction across its axis.
+  /// The support point of a cylinder, `across` being the length of the direction across its axis.
   Vec3d round_support(const Vec3d& d, double across) const {
     const double bottom = vertex_[0].x, height = vertex_[0].y, top = vertex_[0].z;
     const bool up = height * d.y + top * across >= bottom * across - height * d.y;
@@ -128,7 +129,7 @@ class ShapeCore {
   }
   void take(const Capsule<T>& capsule) {
     if (capsule.tapered()) return rest(capsule, Kind::other);
-    rest(capsule, Kind::box);  // of no width
+    rest(capsule, Kind::box);  // of zero width
     vertex_[0] = {0, static_cast<double>(capsule.half_height()), 0};
   }
   void take(const Box<T>& box) {
@@ -166,15 +167,15 @@ class ShapeCore {
   Vec3d vertex_[3];
 };
 
-/// `normalized` for scalar code: one square root and one division, but where a square would under- or overflow.
+/// `normalized` for scalar code: one square root and one division, unless a square under- or overflows.
 inline Vec3d unit(const Vec3d& v, const Vec3d& fallback = {0, 1, 0}) {
   const double squared = dot(v, v);
   if (squared > 1e-200 && squared < 1e200) return v * (1 / std::sqrt(squared));
   return normalized(v, fallback);
 }
 
-/// Two unit vectors across the unit vector n and each other; u x v = n (Duff et al. 2017, "Building an orthonormal
-/// basis, revisited").
+/// Two unit vectors perpendicular to the unit vector n and to each other; u x v = n (Duff et al. 2017, "Building an
+/// orthonormal basis, revisited").
 inline void tangents_at(const Vec3d& n, Vec3d& u, Vec3d& v) {
   const double s = n.z < 0 ? -1 : 1, a = -1 / (s + n.z), b = n.x * n.y * a;
   u = {1 + s * n.x * n.x * a, s * b, -s * n.x};

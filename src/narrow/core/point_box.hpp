@@ -11,7 +11,7 @@ CorePoints<S> nearest_points(const BoxCore<S>& a, const PointCore<S>& b) {
   return {closest_point_in_box(a.half, b.point), b.point};
 }
 
-/// The box is A. A point inside leaves by the nearest face; of equally near ones, the first.
+/// The distance of a point from a box, which is A. A point inside leaves by the nearest face, the first of equal ones.
 template <class S>
 CoreDistance<S> core_distance(const BoxCore<S>& a, const PointCore<S>&, const CorePoints<S>& nearest) {
   const Vec3<S> p = nearest.b, inside = nearest.a;

@@ -10,7 +10,7 @@ CorePoints<S> nearest_points(const PointCore<S>& a, const PointCore<S>& b) {
   return {a.point, b.point};
 }
 
-/// Normal (c2 - c1) / |c2 - c1|; coincident centres get +Y, as good as any.
+/// The distance of two points, with the normal (c2 - c1) / |c2 - c1|; coincident centres get +Y, since all are equal.
 template <class S>
 CoreDistance<S> core_distance(const PointCore<S>&, const PointCore<S>&, const CorePoints<S>& nearest) {
   return between(nearest.a, nearest.b, {S(0), S(1), S(0)}, S(0));

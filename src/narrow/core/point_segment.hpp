@@ -17,7 +17,7 @@ CorePoints<S> nearest_points(const PointCore<S>& a, const TurnedAxis<S>& b) {
 
 namespace detail {
 
-/// The normal at right angles to the segment, or outward from its end, where the point is near.
+/// The distance with its normal perpendicular to the segment, or outward from its end, where the point is near.
 template <class S>
 CoreDistance<S> settled(CoreDistance<S> d, const Segment<S>& segment, const S& size) {
   const auto close = d.distance < size * S(near_part);
@@ -26,7 +26,7 @@ CoreDistance<S> settled(CoreDistance<S> d, const Segment<S>& segment, const S& s
   return d;
 }
 
-/// A point on the segment, whose axis `axis()` tells, gets a normal across it.
+/// The distance; a point on the segment, whose axis `axis()` returns, gets a normal perpendicular to it.
 template <class S, class Axis>
 CoreDistance<S> between_point_and_segment(const CorePoints<S>& nearest, const S& noise, const Axis& axis) {
   const auto on_segment = length_squared(nearest.b - nearest.a) <= noise * noise;

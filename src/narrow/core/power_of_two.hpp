@@ -1,4 +1,4 @@
-// The unit for lengths of about a size: numbers in it lose no digit.
+// Power-of-two units for lengths of about a size: changing to them loses no digit.
 //
 // Guarantee: exact, and the same for a single number and in lanes.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// The greatest power of two that is not above a positive number; zero of one too small to have all its digits.
+/// The greatest power of two that is not above a positive number; zero for a subnormal number.
 [[gnu::always_inline]] inline double power_of_two_below(double x) {
   constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
   return __builtin_bit_cast(double, __builtin_bit_cast(std::uint64_t, x) & exponent);

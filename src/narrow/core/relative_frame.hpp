@@ -1,15 +1,14 @@
-// One body seen from another as a matrix and a vector.
+// The pose of one body relative to another, as a matrix and a vector.
 //
-// Guarantee: rotations need not be of unit length; their matrices are divided by the squared length, or stand times it,
-// without a root.
-// Exact operations in the order written, no branches, any lane type.
+// Guarantee: rotations need not be of unit length; their matrices are divided by the squared length, or multiplied by
+// it, without a root. Exact operations in the order written, no branches, any lane type.
 #pragma once
 
 #include "graze/pose.hpp"
 
 namespace graze {
 
-/// The frame of B seen from A.
+/// The frame of B in the frame of A.
 template <class S>
 struct RelativeFrame {
   Mat3<S> rotation;
@@ -21,7 +20,7 @@ S length_squared(const Quat<S>& q) {
   return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
 }
 
-/// The rotation matrix of a quaternion that rounding has left not quite of unit length, by the square of that.
+/// The rotation matrix of a quaternion that is not quite of unit length, given the square of its length.
 template <class S>
 Mat3<S> rotation_of(const Quat<S>& q, const S& squared) {
   const S s = S(2) / squared, one(1);
@@ -37,7 +36,7 @@ Mat3<S> rotation_of(const Quat<S>& q) {
   return rotation_of(q, length_squared(q));
 }
 
-/// A rotation matrix times `scale`, the squared length of its quaternion: it takes no division.
+/// A rotation matrix times `scale`, the squared length of its quaternion, which takes no division.
 template <class S>
 struct ScaledRotation {
   Mat3<S> matrix;
@@ -55,10 +54,10 @@ ScaledRotation<S> scaled_rotation_of(const Quat<S>& q) {
           sum_wx + sum_yz};
 }
 
-/// `turn_a` is A's rotation as a matrix.
+/// The frame of B in that of A. `turn_a` is A's rotation as a matrix.
 template <class S>
 RelativeFrame<S> relative_frame(const Pose<S>& a, const Mat3<S>& turn_a, const Pose<S>& b) {
-  // The square of the product's length is known before the product.
+  // The square of the product's length, from the factors' and so available before the product.
   return {rotation_of(conjugate(a.rotation) * b.rotation, length_squared(a.rotation) * length_squared(b.rotation)),
           transposed_times(turn_a, b.translation - a.translation)};
 }

@@ -1,7 +1,7 @@
-// Any core with few corners as a hull that is scanned: a ball's middle, a segment, a triangle, a box, a small hull.
+// Cores with few corners as hulls that are scanned: a ball's centre, a segment, a triangle, a box, a small hull.
 //
-// Guarantee: the corners are those of `ShapeCore`, in an order in which the first of those that lie equally far along a
-// direction is the one that it gives.
+// Guarantee: the corners are those of `ShapeCore`, ordered so that the first of several equally far along a direction
+// is the one that it returns.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ bool is_scannable(const Shape<T>& shape) {
 template <class T>
 class ScannedShape {
  public:
-  /// A shape that is scannable and outlives this.
+  /// Takes a scannable shape, which must outlive this object.
   explicit ScannedShape(const Shape<T>& shape) {
     shape.visit([&](const auto& c) {
       using C = std::decay_t<decltype(c)>;
@@ -73,7 +73,7 @@ class ScannedShape {
 
   ScannedHull<T> view_;
   T extent_;
-  // Of what is no hull.
+  // Storage for shapes other than hulls.
   VertexBlock block_;
   Vec3<T> corners_[8];
 };

@@ -6,8 +6,8 @@
 
 namespace graze {
 
-/// A segment and a box that are apart: nearest are an end of the segment and any point of the box, or a point of the
-/// segment and one of an edge of the box.
+/// A disjoint segment and box: nearest are an end of the segment and any point of the box, or a point of the segment
+/// and one of an edge of the box.
 template <class S>
 CoreDistance<S> apart(const Vec3<S>& half, const Segment<S>& segment) {
   Vec3<S> best_a = closest_point_in_box(half, segment.a), best_b = segment.a;
@@ -34,7 +34,7 @@ CoreDistance<S> apart(const Vec3<S>& half, const Segment<S>& segment) {
   return {select(least_squared > S(0), length(best_b - best_a), S(0)), normalized(best_b - best_a), best_a, best_b};
 }
 
-/// The axis along which a segment and a box are furthest apart or least deep.
+/// The axis along which a segment and a box are furthest apart or overlap least.
 template <class S>
 struct SegmentBoxAxis {
   S separation;
@@ -51,7 +51,7 @@ void visit_axes(const Vec3<S>& half, const Segment<S>& segment, F&& f) {
   const Vec3<S> u = normalized((segment.b - segment.a) * S(0.5), Vec3<S>{});
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<S> n = cross(axes[i], u);
-    // Nearly parallel: the product's direction is rounding, and the face axes answer within it.
+    // The direction of a product of nearly parallel edges is mere rounding; the face axes answer within it.
     const S sine = length(n);
     const auto distinct = sine > S(16) * epsilon<S>;
     f(n / select(distinct, sine, one), distinct, i, true);
@@ -74,8 +74,8 @@ SegmentBoxAxis<S> best_axis(const Vec3<S>& half, const Segment<S>& segment) {
   return best;
 }
 
-/// The normal at a point of a box without what rounding left of it along the sides between whose ends the point is, or
-/// inward from one.
+/// The normal at a point of a box without its rounding error: no component along sides between whose ends the point is,
+/// and none inward from a face.
 template <class S>
 Vec3<S> leaving(const Vec3<S>& normal, const BoxCore<S>& box, const Vec3<S>& at) {
   Vec3<S> left;
@@ -85,9 +85,9 @@ Vec3<S> leaving(const Vec3<S>& normal, const BoxCore<S>& box, const Vec3<S>& at)
   return left;
 }
 
-/// The box is A. Separating axes decide whether they overlap (van den Bergen 2003, section 3.2). Of an overlapping pair
-/// the segment is first moved out along the axis, just to touch: the nearest of all pairs of features then are where
-/// the two are deepest, and otherwise what they are.
+/// The distance of a segment from a box, which is A. Separating axes decide whether they overlap (van den Bergen 2003,
+/// section 3.2). In an overlapping pair the segment is first moved out along the axis, just to touch: the nearest of
+/// all pairs of features then are the deepest ones.
 template <class S>
 CoreDistance<S> core_distance(const BoxCore<S>& a, const SegmentCore<S>& b) {
   const SegmentBoxAxis<S> axis = best_axis(a.half, b.segment);
@@ -99,13 +99,14 @@ CoreDistance<S> core_distance(const BoxCore<S>& a, const SegmentCore<S>& b) {
   const S noise = S(16) * epsilon<S> * size + b.error;
   const auto along_axis = (axis.separation <= S(0)) | (length(near.b - near.a - axis.normal * near.distance) <= noise);
   const S distance = select(axis.separation <= S(0), axis.separation, near.distance);
-  // Of two edges that cross the axis is the normal; of all else one of the two settles what the other does not turn.
+  // For two edges that cross the axis is the normal; for all other features one of the two corrections determines the
+  // part of the normal that the other leaves.
   const Vec3<S> settled = -leaving(-leaving(near.normal, a, near.a), b.segment, near.b);
   const Vec3<S> normal = select(near.distance < size * S(near_part), renormalized(settled, near.normal), near.normal);
   return {distance, select(along_axis, axis.normal, normal), near.a, near.b - out};
 }
 
-/// Products of near-parallel edges have too few digits in float for the tolerance, and the nearest points too.
+/// Products of near-parallel edges have too few digits in float for the tolerance, and so have the nearest points.
 template <>
 inline constexpr bool evaluated_in_double<BoxCore<float>, SegmentCore<float>> = true;
 

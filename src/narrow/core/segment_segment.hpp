@@ -12,8 +12,8 @@ CorePoints<S> nearest_points(const SegmentCore<S>& a, const SegmentCore<S>& b) {
   return {point_at(a.segment, s), point_at(b.segment, t)};
 }
 
-/// As `closest_parameters`: from the nearest points of the two lines, one clamped and the other's answer to it, each in
-/// turn. Unit axes leave a single division: the numbers are lengths along them.
+/// As `closest_parameters`: from the nearest points of the two lines, one clamped and the other's nearest to it, each
+/// in turn. Unit axes leave a single division: the numbers are lengths along them.
 template <class S>
 CorePoints<S> nearest_points(const TurnedAxis<S>& a, const TurnedAxis<S>& b) {
   const Vec3<S> n = cross(a.axis, b.axis), apart = b.middle - a.middle;
@@ -25,8 +25,8 @@ CorePoints<S> nearest_points(const TurnedAxis<S>& a, const TurnedAxis<S>& b) {
 
 namespace detail {
 
-/// Crossing segments get the normal of the plane they span, `n` of any length; overlapping parallel ones a normal
-/// across them, whose axis `axis()` tells.
+/// The distance of two segments; crossing ones get the normal of their plane, `n` of any length, overlapping parallel
+/// ones a normal perpendicular to their axis, which `axis()` returns.
 template <class S, class M, class Axis>
 CoreDistance<S> between_segments(const CorePoints<S>& nearest, const Vec3<S>& n, const M& crossing, const S& noise,
                                  const Axis& axis) {
@@ -35,9 +35,9 @@ CoreDistance<S> between_segments(const CorePoints<S>& nearest, const Vec3<S>& n,
   return between(nearest.a, nearest.b, across, noise);
 }
 
-/// Turns the normal to right angles to what it leaves, where the segments are near: not for capsules' axes, whose
-/// nearness is a depth of both radii, and which would take two fifths longer. Twice: each turns it by what it takes,
-/// and so out of the other's plane by less. By itself, since few segments are so near.
+/// Makes the normal perpendicular to the features that it leaves, where the segments are near: not for capsules' axes,
+/// whose nearness is a depth of both radii, and which would take two fifths longer. Twice, since each correction turns
+/// the normal out of the other's plane by less. Out of line, since few segments are so near.
 template <class S, class M>
 [[gnu::noinline, gnu::cold]] void settle(CoreDistance<S>& d, const Segment<S>& a, const Segment<S>& b, const M& close) {
   Vec3<S> n = d.normal;

@@ -1,4 +1,4 @@
-// What a support query of a Minkowski difference finds.
+// The result of a support query of a Minkowski difference.
 #pragma once
 
 #include "graze/vec3.hpp"
@@ -10,8 +10,8 @@ struct SupportPoint {
   Vec3d a, b, w;
 };
 
-/// Copies number by number. Compilers copy by sixteen bytes or more, and such a read of what was written by eight a
-/// moment ago waits until that has gone to the cache: in an iteration, for everything before it.
+/// Copies number by number. Compilers copy by sixteen bytes or more, and such a load of numbers just stored by eight
+/// bytes waits until the stores have reached the cache: in an iteration this delays everything that follows.
 inline Vec3d by_parts(const Vec3d& v) { return {v.x, v.y, v.z}; }
 inline SupportPoint by_parts(const SupportPoint& p) { return {by_parts(p.a), by_parts(p.b), by_parts(p.w)}; }
 

@@ -9,7 +9,7 @@ namespace graze {
 
 namespace {
 
-/// A ball of the difference B - A, and the balls that it is the difference of.
+/// A ball of the difference B - A, and the two balls whose difference it is.
 struct Term {
   Vec3d center;
   double radius;
@@ -48,8 +48,8 @@ class DifferenceOfHulls {
   }
 
  private:
-  /// Of each term how much of its support point makes up the point of the difference that is answered, and how far off
-  /// the line along the normal that point is, squared.
+  /// Weights of the terms' support points in the point of the difference that is the answer, and the squared distance
+  /// of that point from the line along the normal.
   struct Weights {
     std::array<double, 4> of{};
     double residual = std::numeric_limits<double>::infinity();
@@ -63,8 +63,9 @@ class DifferenceOfHulls {
 
   void try_one(const Term& t) { try_direction(unit(t.center, across_)); }
 
-  /// Where both terms are equal and largest. Where the origin lies on the line through both centres, every point of the
-  /// circle is as good for the two: then those toward and away from the others' centres are tried.
+  /// Tries the directions where both terms are equal and largest. Where the origin lies on the line through both
+  /// centres, every point of the circle is equally good for the two: then those toward and away from the others'
+  /// centres are tried.
   void try_two(const Term& p, const Term& q) {
     const Vec3d way = p.center - q.center;
     const double l = length(way);
@@ -86,7 +87,8 @@ class DifferenceOfHulls {
     }
   }
 
-  /// Where all three terms are equal: two points of the sphere, on the line across the plane of the centres.
+  /// Tries the directions where all three terms are equal: two points of the sphere, on the line normal to the plane of
+  /// the centres.
   void try_three(const Term& p, const Term& q, const Term& r) {
     const Vec3d first = p.center - q.center, second = p.center - r.center, normal = cross(first, second);
     const double squared = length_squared(normal);
@@ -100,8 +102,8 @@ class DifferenceOfHulls {
     try_direction(unit(in_plane - off));
   }
 
-  /// Of the terms that are least along the normal, within rounding, the mixture whose point lies on the normal's line:
-  /// of one, two or three, which are all that it takes in the two dimensions across the normal (Carathéodory 1907).
+  /// Among the terms that are least along the normal, within rounding, the mixture whose point lies on the normal's
+  /// line: of one, two or three terms, which suffice in the two dimensions across the normal (Carathéodory 1907).
   Weights least_residual() const {
     Vec3d u, v;
     tangents_at(normal_, u, v);
@@ -144,12 +146,12 @@ class DifferenceOfHulls {
     return best;
   }
 
-  /// Terms and places this close, beside the largest coordinate, are equal: some tens of roundings.
+  /// Terms and positions this close, relative to the largest coordinate, are equal: some tens of roundings.
   static constexpr double equal_within = 64 * std::numeric_limits<double>::epsilon();
 
   const BallHull &a_, &b_;
   Term term_[4];
-  Vec3d across_;  ///< a direction across the way from one term to its opposite
+  Vec3d across_;  ///< a direction perpendicular to the line from one term to its opposite
   double distance_ = -std::numeric_limits<double>::infinity();
   Vec3d normal_{0, 1, 0};
 };

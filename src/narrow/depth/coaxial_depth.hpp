@@ -1,14 +1,14 @@
 // A lower bound of the depth of two bodies of revolution whose axes are the same, or nearly.
 //
-// Where the axes are the same all directions around them are as good, and a polytope that expands towards the depth has
-// to come near a whole circle of them: it ends at its bound of steps with a bound of 1e-4 for a depth that is right.
-// But the Minkowski difference of the two is a body of revolution itself, and its profile the sum of theirs: a convex
-// polygon with rounded corners. How deep the origin lies in it is the least of what its flat sides allow, and these
-// have the directions of the axis and of the sides of either (on a rounded corner the depth is least at an end, or
-// along the axis).
+// Where the axes coincide all directions around them are equal, and a polytope that expands towards the depth has to
+// approximate a whole circle of them: it ends at its bound of steps with an error bound of 1e-4 for a depth that is
+// right. But the Minkowski difference of the two is a body of revolution itself, and its profile the sum of theirs: a
+// convex polygon with rounded corners. The depth of the origin in it is the least over its flat sides, which have the
+// directions of the axis and of the sides of either (on a rounded corner the depth is least at an end, or along the
+// axis).
 //
-// Guarantee: no more than the true depth but for rounding. What moves a body by at most `d` changes a depth by at most
-// `d`, so that axes which nearly coincide give a bound too: as if they did, less the way to there.
+// Guarantee: no more than the true depth but for rounding. A motion of a body by at most `d` changes a depth by at most
+// `d`, so that nearly coincident axes have a bound too: that of coincident ones, less the motion.
 #pragma once
 
 #include <cmath>
@@ -23,14 +23,14 @@ namespace graze {
 /// A core of revolution about Y: the hull of two discs, or of two balls, at -half_height and half_height.
 struct RevolvedCore {
   double half_height;
-  double disc[2], ball[2];  ///< radii, of the lower and of the upper one
-  double extent;            ///< a ball about the origin that holds it
+  double disc[2], ball[2];  ///< radii of the lower and of the upper one
+  double extent;            ///< radius of a ball about the origin that contains it
 
-  /// How far it reaches along a direction of its half plane, of which `across` is not negative.
+  /// The extent along a direction of its half-plane, whose component `across` is not negative.
   double reach(double across, double along) const {
     return greatest(disc[0] * across - half_height * along + ball[0], disc[1] * across + half_height * along + ball[1]);
   }
-  /// The part along the axis of the direction across its side; nothing where one end holds the other.
+  /// The component along the axis of the side's normal; nothing where one end holds the other.
   std::optional<double> side() const {
     const double taper = disc[0] - disc[1], taper_of_balls = ball[0] - ball[1], height = 2 * half_height;
     if (taper_of_balls != 0) {
@@ -60,8 +60,8 @@ std::optional<RevolvedCore> revolved_core(const Shape<T>& shape) {
   return std::nullopt;
 }
 
-/// The depth where both have one axis: `rise` is how far B's origin lies along A's, `toward` 1 where B's axis has the
-/// direction of A's and -1 where it has the opposite one.
+/// The depth for coincident axes: `rise` is the position of B's origin along A's axis, `toward` 1 where B's axis has
+/// the direction of A's and -1 where it has the opposite one.
 inline double coaxial_depth(const RevolvedCore& a, const RevolvedCore& b, double rise, double toward) {
   double least_depth = std::numeric_limits<double>::infinity();
   const auto consider = [&](double along) {
@@ -75,14 +75,14 @@ inline double coaxial_depth(const RevolvedCore& a, const RevolvedCore& b, double
   return least_depth;
 }
 
-/// The bound for any two; minus infinity where one is no body of revolution.
+/// The bound for any two shapes; minus infinity where one is no body of revolution.
 template <class T>
 double depth_as_coaxial(const Shape<T>& shape_a, const Shape<T>& shape_b, const Posed& b_in_a) {
   const auto a = revolved_core(shape_a), b = revolved_core(shape_b);
   if (!a || !b) return -std::numeric_limits<double>::infinity();
   const Vec3d up{0, 1, 0}, axis = rotate(b_in_a.rotation, up), &between = b_in_a.translation;
   const double toward = axis.y < 0 ? -1 : 1, tilt = length(axis * toward - up);
-  // B is moved onto A's axis or A onto B's, by what lies across it and by the turn of its furthest point.
+  // B is moved onto A's axis or A onto B's, by its offset across the axis and by the rotation of its furthest point.
   const auto beside = [&](const Vec3d& along) { return length(between - along * dot(between, along)); };
   const double of_b = beside(up) + tilt * b->extent, of_a = beside(axis) + tilt * a->extent;
   const double rise = of_b <= of_a ? between.y : dot(between, axis) * toward;

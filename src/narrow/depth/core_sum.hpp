@@ -1,10 +1,10 @@
 // The support function of the Minkowski difference of two cores that are sums of a box and an ellipsoid.
 //
-// Along a unit vector n from A to B such cores overlap by
+// Along a unit vector n from A to B the overlap of such cores is
 //   h(n) = -c.n + sum of half |e.n| + sum of |R n|,
-// c the way between their centres, the first sum over the axes e of both boxes, the second over both ellipsoids. h is
-// smooth but for a crease along each great circle e.n = 0 and a point over the face of a disc, and its gradient and its
-// curvature are closed forms.
+// with c the offset between their centres, the first sum over the axes e of both boxes, the second over both
+// ellipsoids. h is smooth except for a crease along each great circle e.n = 0 and a kink at the normal of a disc's
+// face, and its gradient and its curvature are closed forms.
 //
 // Guarantee: all in double, in the frame of A; a few tens of operations and a root for each ellipsoid.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace graze {
 
-/// An eigenvalue that is smaller than this beside the other counts as so much.
+/// Least ratio of the smaller eigenvalue to the other; a smaller one counts as that.
 inline constexpr double flattest = 1e-6;
 
 /// A symmetric form on a tangent plane, by its values for the two vectors of the basis and for both.
@@ -28,8 +28,8 @@ struct TangentForm {
     uv += other.uv;
     vv += other.vv;
   }
-  /// Newton's step for a gradient, with the magnitudes of the eigenvalues in the place of these: it leads down also
-  /// where the form is not positive (Dauphin et al. 2014, "Identifying and attacking the saddle point problem").
+  /// Newton's step for a gradient, with the magnitudes of the eigenvalues in place of these: it leads down even where
+  /// the form is not positive (Dauphin et al. 2014, "Identifying and attacking the saddle point problem").
   std::pair<double, double> downhill(double gu, double gv) const {
     double a = uu, b = uv, c = vv, det = a * c - b * b;
     if (!(a + c > 0 && det > flattest * (a + c) * (a + c))) {
@@ -61,10 +61,10 @@ class SumSide {
   }
 
   Vec3d center, half, radii;
-  bool round;  ///< there is an ellipsoid
-  bool disc;   ///< it is a cylinder's, about its Y
+  bool round;  ///< has an ellipsoid
+  bool disc;   ///< which is a cylinder's disc, about its Y
 
-  /// How far the core reaches along a vector.
+  /// The extent of the core along a vector.
   double extent(const Vec3d& n) const {
     if (disc) return half.y * std::abs(n.y) + radii.x * std::sqrt(n.x * n.x + n.z * n.z);
     const double sum = dot(half, abs(n));
@@ -80,7 +80,7 @@ class SumSide {
     const double extent = length(scaled(radii, n));
     return extent > 0 ? scaled(squared_, n) / extent : Vec3d{};
   }
-  /// The second derivatives of the ellipsoid's extent |R n|, given its support point at n.
+  /// Adds the second derivatives of the ellipsoid's extent |R n|, given its support point at n.
   void add_curvature(const Vec3d& n, const Vec3d& point, const Vec3d& u, const Vec3d& v, TangentForm& form) const {
     const double extent = dot(point, n);
     if (!(extent > 0)) return;
@@ -88,7 +88,7 @@ class SumSide {
     const double inverse = 1 / extent;
     form.add({beside.uu * inverse, beside.uv * inverse, beside.vv * inverse});
   }
-  /// The same along u alone.
+  /// The second derivative of the ellipsoid's extent along u alone.
   double curvature(const Vec3d& n, const Vec3d& point, const Vec3d& u) const {
     const double extent = dot(point, n);
     if (!(extent > 0)) return 0;
@@ -96,14 +96,14 @@ class SumSide {
     const double pu = dot(point, u);
     return (dot(ru, ru) - pu * pu) / extent;
   }
-  /// |R t|^2 - (p.t)^2 for tangents t, given what the support point p has along u and v.
+  /// |R t|^2 - (p.t)^2 for tangents t, given the products of the support point p with u and v.
   TangentForm across(const Vec3d& u, const Vec3d& v, double pu, double pv) const {
     const Vec3d ru = scaled(radii, u), rv = scaled(radii, v);
     return {dot(ru, ru) - pu * pu, dot(ru, rv) - pu * pv, dot(rv, rv) - pv * pv};
   }
-  /// What the radius of curvature nowhere falls below, along the great circle through n and a tangent t: a quadratic
-  /// form in t. With m = n x t across the circle's plane it is |cof(R) m|^2 / |R n|^3, that of the ellipse that the
-  /// ellipsoid casts on the plane.
+  /// A lower bound of the radius of curvature along the great circle through n and a tangent t: a quadratic form in t.
+  /// With m = n x t normal to the circle's plane it is |cof(R) m|^2 / |R n|^3, that of the ellipse that the ellipsoid
+  /// projects onto the plane.
   TangentForm least_radius(const Vec3d& u, const Vec3d& v) const {
     const double widest = max_abs(radii), scale = 1 / (widest * widest * widest);
     const Vec3d minors{radii.y * radii.z, radii.x * radii.z, radii.x * radii.y};
@@ -111,7 +111,7 @@ class SumSide {
     // n x u = v and n x v = -u.
     return {dot(mv, mv) * scale, -dot(mu, mv) * scale, dot(mu, mu) * scale};
   }
-  /// How deep a point lies inside at least; negative outside.
+  /// A lower bound of the depth of a point inside; negative outside.
   double inside(const Vec3d& point) const {
     const Vec3d beside = half - abs(point);
     if (disc) return least(beside.y, radii.x - std::sqrt(point.x * point.x + point.z * point.z));

@@ -8,9 +8,9 @@
 
 #include "simd/lanes.hpp"
 
-// The directions are taken in cells, a sector of tangents and an interval of s each, a cell a lane; each term counts as
-// the least that it has anywhere in the cell. A cell that this leaves in doubt is cut, both ways in four or, where its
-// interval has no end, its tangents in two (branch and bound).
+// The directions are divided into cells, a sector of tangents and an interval of s each, a cell a lane; each term is
+// bounded by its least value in the cell. A cell left in doubt is cut, both ways into four or, where its interval has
+// no end, its tangents into two (branch and bound).
 
 namespace graze::GRAZE_ISA {
 
@@ -18,26 +18,27 @@ namespace {
 
 using S = Lanes<double>;
 
-/// Cells that are looked at together, at every level as many, so that each comes to the same doubts.
+/// Number of cells tested together, equal at every level, so that each comes to the same doubts.
 constexpr std::size_t together = 8;
 constexpr auto step = static_cast<std::size_t>(S::lanes);
-/// How often a cell is cut: to sectors of a fifth of a degree. What is in doubt then has about as little as was found.
+/// Largest number of cuts of a cell: to sectors of a fifth of a degree. A direction still in doubt then has about as
+/// little overlap as the one found.
 constexpr int cuts = 8;
-/// Most proofs take four to ten bundles of cells; one that takes so many takes twice as long as EPA.
+/// Most proofs take four to ten bundles of cells; one with this many takes twice as long as EPA.
 constexpr int most_bundles = 400;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// From here on, as s, directions are taken to the opposite of n at once; until there in these intervals.
+/// Values of s beyond which directions are treated together up to the opposite of n; below it in these intervals.
 constexpr double far_away = 8;
 constexpr double ends[] = {0, 0.5, 2, far_away};
 
 class Cells {
  public:
-  /// The last cells are cut first, so that of each size there are left at most those of one bundle that was cut.
+  /// Capacity. The last cells are cut first, so that of each size at most those of one cut bundle are left.
   static constexpr std::size_t room = 3 * together + cuts * 4 * together;
 
   bool empty() const { return count_ == 0; }
 
-  /// All tangents, in eight sectors.
+  /// Adds all tangents, in eight sectors.
   [[gnu::always_inline]] void add_around(double from, double to) {
     constexpr double h = 0.70710678118654752440;
     constexpr double cosines[] = {1, h, 0, -h, -1, -h, 0, h};
@@ -45,7 +46,7 @@ class Cells {
     for (std::size_t i = 0; i < together; ++i) add(tangent(i), tangent(i + 1), from, to, 0);
   }
 
-  /// Takes the last ones, up to `together`; they stay readable until others are added.
+  /// Takes the last cells, up to `together`; they stay readable until others are added.
   [[gnu::always_inline]] std::size_t take() {
     const std::size_t taken = count_ < together ? count_ : together;
     count_ -= taken;
@@ -88,11 +89,11 @@ class Cells {
   std::int8_t cuts_[room];
 };
 
-/// The tangents between two; they lie in the triangle of both and of the point where their own tangents meet, which
-/// bounds linear terms.
+/// The tangents between two, in the triangle of both and of the intersection of their tangent lines, which bounds
+/// linear terms.
 struct Sector {
   S u0, v0, u1, v1;
-  S meet;  ///< of the sum of the two
+  S meet;  ///< that point as a multiple of the sum of the two
 
   [[gnu::always_inline]] Sector(const S& a_u, const S& a_v, const S& b_u, const S& b_v)
       : u0(a_u), v0(a_v), u1(b_u), v1(b_v), meet(S(1) / (S(1) + a_u * b_u + a_v * b_v)) {}
@@ -110,19 +111,19 @@ struct Sector {
   }
 };
 
-/// The same of the doubled angles, in which forms are linear.
+/// The sector of the doubled angles, in which forms are linear.
 [[gnu::always_inline]] inline Sector twice(const Sector& s) {
   return {s.u0 * s.u0 - s.v0 * s.v0, S(2) * s.u0 * s.v0, s.u1 * s.u1 - s.v1 * s.v1, S(2) * s.u1 * s.v1};
 }
 
-/// Where j s - depth s^2 + sum of e is nowhere negative, by what it has divided by s.
+/// The cells in which j s - depth s^2 + sum of e, divided by s, is nowhere negative.
 [[gnu::always_inline]] inline S::Mask holds_between(const PolarTerms& terms, const Cells::Bundle& cell) {
   const S zero(0);
   const Sector sector(cell.u0, cell.v0, cell.u1, cell.v1), doubled = twice(sector);
   S slope(0);
   if (terms.cap > 0) slope = greatest(zero, S(terms.cap) + sector.lowest(terms.cap_slope));
   for (const PolarTerms::Crease& c : terms.creases) slope += sector.slope_over(c);
-  // A segment's share grows with s; close to s = 0 only one across n has any.
+  // A segment's term grows with s; close to s = 0 only one perpendicular to n has any.
   const S turned = cell.from - S(1) / greatest(cell.from, S(std::numeric_limits<double>::min()));
   for (const PolarTerms::Segment& s : terms.segments)
     slope += S(s.half) * greatest(zero, S(s.along) * turned - S(2) * sector.highest(s.axis));
@@ -134,7 +135,7 @@ struct Sector {
     const PolarTangent swing{(f.uu - f.vv) * 0.5, f.uv};
     const S mean((f.uu + f.vv) * 0.5), point = sector.highest(r.point);
     const S least_across = greatest(zero, mean + doubled.lowest(swing)), most_across = mean + doubled.highest(swing);
-    // The most of X, which is concave in s.
+    // The maximum of X, which is concave in s.
     const S top = least(cell.to, greatest(cell.from, point / S(r.extent)));
     const S x = S(r.extent) * (S(1) - top * top) + S(2) * top * point, y = S(4) * cell.to * cell.to * most_across;
     const S root = sqrt(x * x + y), below = select(x > zero, root + x, y / (root - x));
@@ -147,7 +148,7 @@ struct Sector {
   return by_least_bend | (slope >= cell.to * (S(terms.depth) - bend));
 }
 
-/// The same from the start of the interval on up to the opposite of n, divided by s^2.
+/// The cells in which it, divided by s^2, is nowhere negative from the start of the interval up to the opposite of n.
 [[gnu::always_inline]] inline S::Mask holds_beyond(const PolarTerms& terms, const Cells::Bundle& cell) {
   const Sector sector(cell.u0, cell.v0, cell.u1, cell.v1);
   const S zero(0), turned = S(1) - S(1) / (cell.from * cell.from);
@@ -159,7 +160,7 @@ struct Sector {
   return bend >= S(terms.depth);
 }
 
-/// Cuts a cell; or tells of its middle as a doubt and returns false.
+/// Cuts a cell; or sets its middle as the doubt and returns false.
 [[gnu::always_inline]] inline bool cut(const Cells::Cell& c, Cells& cells, PolarDoubt& doubt) {
   const double scale = 1 / std::sqrt(2 + 2 * (c.first.u * c.last.u + c.first.v * c.last.v));
   const PolarTangent middle{(c.first.u + c.last.u) * scale, (c.first.v + c.last.v) * scale};
@@ -177,7 +178,7 @@ struct Sector {
   return true;
 }
 
-/// Whether all cells hold, the last ones first; looks at no more than so many bundles, which are taken off `left`.
+/// Whether all cells hold, the last ones first; tests no more than `left` bundles, which it counts down.
 template <class Holds>
 [[gnu::always_inline]] inline bool all_hold(Cells& cells, const Holds& holds, int& left, PolarDoubt& doubt) {
   while (!cells.empty()) {

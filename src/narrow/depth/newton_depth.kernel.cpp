@@ -8,29 +8,29 @@ namespace graze::GRAZE_ISA {
 
 namespace {
 
-/// Newton's method doubles its digits; what needs more steps is left to the general path.
+/// Newton's method doubles its digits with each step; a descent that needs more steps is left to the general path.
 constexpr int descent_steps = 16;
-/// A descent that ends in what is not proven the least begins again where less may lie.
+/// Number of descents: one that ends without proof begins again where less overlap may lie.
 constexpr int descents = 3;
-/// Steps along the sphere, as tangents of their angles: the longest, and one whose square no longer counts.
+/// Steps along the sphere, as tangents of their angles: the longest, and one whose square is negligible.
 constexpr double longest_step = 0.7, last_step = 1e-8;
-/// Nearer than this to the face of a disc, as a sine, the curvature says nothing about what lies beyond it.
+/// Sine of the angle to a disc's normal within which the curvature is no guide to what lies beyond the face.
 constexpr double beside_disc = 1e-3;
-/// A way that leans less from a disc's axis, by the square of the sine, tells no direction across it to begin with.
+/// Squared sine of the angle to a disc's axis below which an offset gives no direction across the axis to start with.
 constexpr double along_axis = 1e-3;
-/// Creases at an angle of a smaller sine count as one, which the general path tells apart.
+/// Creases at an angle of a smaller sine count as one, which is left to the general path.
 constexpr double least_angle = 1e-3;
-// The rest is relative to the size of the larger core. A depth is a sum of some ten terms of up to that, which rounds
-// by some 1e-15; `tolerance<double>` is 1e-9.
-/// A ball inside that is smaller than the depth by no more proves it: a hundred times that rounding.
+// The remaining constants are relative to the size of the larger core. A depth is a sum of some ten terms of up to
+// that, with a rounding of some 1e-15; `tolerance<double>` is 1e-9.
+/// Slack of an inscribed ball that proves a depth: a hundred times that rounding.
 constexpr double inside_slack = 1e-13;
-/// A step that does not lower the overlap by more is halved: ten times as much, for a step compares two of them.
+/// Least decrease of the overlap for a step not to be halved: ten times as much, since a step compares two values.
 constexpr double rise = 1e-12;
-/// What may be left of the gradient in the end: by so much the deepest points lie beside each other, a hundredth of the
+/// Largest remainder of the gradient at the end, the offset of the deepest points across the normal: a hundredth of the
 /// tolerance.
 constexpr double unbalanced = 1e-11;
 
-/// Of unit length, without components that are far below its rounding.
+/// A unit vector without components far below its rounding.
 Vec3d cleaned(const Vec3d& v) {
   Vec3d n = unit(v);
   for (std::size_t i = 0; i < 3; ++i)
@@ -73,7 +73,7 @@ class Descent {
   enum class Step { moved, arrived, failed };
   static constexpr int none = -1;
 
-  /// Down to a least overlap, or to one that separates by more than `limit`.
+  /// Descends to a least overlap, or to one that separates by more than `limit`.
   std::optional<DirectDepth> descend(double limit) {
     take_ends();
     evaluate();
@@ -107,7 +107,7 @@ class Descent {
 
   bool active(std::size_t k) const { return static_cast<int>(k) == active_[0] || static_cast<int>(k) == active_[1]; }
 
-  /// Takes the ends of the segments that n points to, but of those across it.
+  /// Takes the ends of the segments that n points to, except for those perpendicular to it.
   void take_ends() {
     for (const std::size_t k : segments_) sign_[k] = dot(axis_[k], n_) < 0 ? -1.0 : 1.0;
     keep_ends();
@@ -116,7 +116,7 @@ class Descent {
     for (const std::size_t k : segments_) ends_[k / 3][k % 3] = active(k) ? 0 : sign_[k] * half_[k];
   }
 
-  /// The gradient and the depth at n, without what the active creases add.
+  /// Computes the gradient and the depth at n, without the contributions of the active creases.
   void evaluate() {
     at_ = {n_, transposed_times(turn_, n_)};
     for (std::size_t s = 0; s < 2; ++s) {
@@ -127,20 +127,21 @@ class Descent {
     depth_ = dot(gradient_, n_);
   }
 
-  /// How far the cores overlap along a unit vector, whatever is active.
+  /// The overlap of the cores along a unit vector, regardless of active creases.
   double overlap_along(const Vec3d& n) const {
     return side_[0].extent(n) + side_[1].extent(transposed_times(turn_, n)) - dot(way_, n);
   }
 
-  /// Takes the best of a few directions to begin with: the way between the centres, the axes of the boxes, and the way
-  /// with an axis of a cylinder taken off, where its side is met. Returns the overlap there, as soon as one separates
-  /// by more than `limit`.
+  /// Starts from the best of a few directions: the offset between the centres, the axes of the boxes, and the offset
+  /// without its part along a cylinder's axis, where its side is met. Returns the overlap there, as soon as one
+  /// separates by more than `limit`.
   double start(double limit) {
     n_ = cleaned(way_);
     double best = overlap_along(n_);
     const Vec3d way = n_;
     int face = none;
-    // An axis as good as the way but for rounding is the way: only of the axis is it known which face it is normal to.
+    // An axis equal to the offset up to rounding is preferred: only for the axis is the face known that it is normal
+    // to.
     double slack = rise * size_;
     const auto better = [&](const Vec3d& n) {
       const double found = overlap_along(n);
@@ -166,7 +167,7 @@ class Descent {
     if (face != none) look_along(static_cast<std::size_t>(face));
     return best;
   }
-  /// An axis is normal to a disc, or to the face that the other two span.
+  /// Activates the feature normal to an axis: a disc, or the face that the other two axes span.
   void look_along(std::size_t axis) {
     const std::size_t s = axis / 3, i = axis % 3;
     if (side_[s].disc) {
@@ -193,7 +194,7 @@ class Descent {
     return smooth_step(g);
   }
 
-  /// How far one can go from n to n + way before a crease; its number in `crease`.
+  /// The part of the way from n to n + way before the next crease, whose number goes to `crease`.
   double until_crease(const Vec3d& way, int& crease) const {
     double first = 1;
     crease = none;
@@ -226,7 +227,7 @@ class Descent {
     int crease;
     double t = until_crease(way, crease);
     if (crease != none && !(t > 0)) {
-      // Straight down from a crease that has just been left leads away from it, and Newton's way may not.
+      // Straight down from a crease just left leads away from it, which Newton's step may not.
       way = g * (-least(longest_step, longest) / length(g));
       t = until_crease(way, crease);
     }
@@ -314,7 +315,7 @@ class Descent {
   }
 
   std::optional<DirectDepth> finished() {
-    // What balances the gradient: a place on the face that n is normal to.
+    // The gradient is balanced by a place on the face that n is normal to.
     Vec3d g = gradient_ - n_ * depth_;
     slope_ = g;
     push_[0] = push_[1] = 0;
@@ -339,8 +340,8 @@ class Descent {
     return r;
   }
 
-  /// Cylinders and segments about parallel axes add up to a cylinder: how deep the way ends inside of it is their
-  /// depth. Minus infinity of others.
+  /// Cylinders and segments with parallel axes add up to a cylinder, whose depth at the offset is theirs. Minus
+  /// infinity for others.
   double inside_of_sum() const {
     for (const SumSide& side : side_)
       if ((side.round && !side.disc) || side.half.x > 0 || side.half.z > 0)
@@ -352,7 +353,7 @@ class Descent {
     return sum.inside(way_) - 2 * lean * size_;  // a core of up to `size_` from its axis' ends leans by so much
   }
 
-  /// What the depth does not fall below, given the deepest points and what is left of the gradient.
+  /// A proven lower bound of the depth, given the deepest points and the remainder of the gradient.
   double proven(const Vec3d& from_a, const Vec3d& from_b, double rest) {
     const double inside =
         greatest(inside_of_sum(), greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_))));
@@ -382,7 +383,7 @@ class Descent {
         const std::size_t i = static_cast<int>(k) == active_[0] ? 0 : 1;
         terms.creases.push_back({tangent(axis_[k]), half_[k] + push_[i], half_[k] - push_[i]});
       } else {
-        // By rounding the sign may be that of a direction before.
+        // Rounding may leave the sign of an earlier direction.
         const double along = greatest(0.0, dot(axis_[k], n_) * sign_[k]);
         terms.segments.push_back({tangent(axis_[k] * sign_[k]), along, half_[k]});
       }
@@ -408,7 +409,7 @@ class Descent {
   Vec3d n_, gradient_, u_, v_, slope_;
   double push_[2] = {};
   double least_seen_ = 0;
-  Vec3d doubtful_;  ///< where less overlap than was found may lie, or zero
+  Vec3d doubtful_;  ///< a direction that may have less overlap, or zero
   double depth_ = 0;
   std::array<Vec3d, 2> at_, point_, part_;
   std::array<int, 2> active_{none, none};

@@ -22,7 +22,7 @@ struct CapsuleOnTriangle {
   S half, radii, smaller, noise;
   Vec3<S> axis;                  ///< axis of the capsule, in the world
   Vec3<S> way, middle, outward;  ///< in the triangle's frame: the axis, its middle, and the opposite of the normal
-  S facing;                      ///< cosine between `outward` and the triangle's normal
+  S facing;                      ///< `TriangleRegions::facing` of `outward`
 
   CapsuleOnTriangle(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
                     const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle,

@@ -14,7 +14,7 @@
 
 namespace graze {
 
-/// How far apart a pair is, as its points are found by.
+/// The distance of a pair, from which its points are found.
 template <class T>
 struct FoundTriangles {
   T distance;  ///< minus infinity where it is not proven
