@@ -58,13 +58,13 @@ void trace_segment_box(const Vec3d& half, const Segment<double>& segment, const 
   trace.reason = best->name + (best->overlap() > 0 ? " has the least overlap" : " shows the widest gap of all axes");
 }
 
-/// The same axes with A and B in each other's place.
+/// Exchanges A and B in the axes.
 void mirror(std::vector<TraceAxis>& axes) {
   for (TraceAxis& axis : axes)
     axis = {axis.name, -axis.direction, -axis.b_upper, -axis.b_lower, -axis.a_upper, -axis.a_lower};
 }
 
-/// From A's frame to the world.
+/// Moves the axes from A's frame to the world.
 void move(std::vector<TraceAxis>& axes, const Posed& pose) {
   for (TraceAxis& axis : axes) {
     axis.direction = rotate(pose.rotation, axis.direction);
@@ -80,7 +80,7 @@ void widen(std::vector<TraceAxis>& axes, double radius_a, double radius_b) {
   }
 }
 
-/// How far a shape reaches along a direction of the world.
+/// The extent of a shape along a direction of the world.
 template <class T>
 double furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direction) {
   if (shape.template as<HalfSpace<T>>()) {
@@ -93,8 +93,8 @@ double furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direc
   return static_cast<double>(dot(transform(pose, point), direction));
 }
 
-/// Writes the intervals of both shapes on every separating axis that the pair has: boxes' fifteen, other polyhedra's
-/// faces and crossing edges, the six of a box and a segment. Nothing for other pairs.
+/// Writes the intervals of both shapes on every separating axis of the pair: boxes' fifteen, other polyhedra's faces
+/// and crossing edges, the six of a box and a segment. Nothing for other pairs.
 template <class T>
 void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace) {
   const Posed frame_a = in_double(pose_a), frame_b = in_double(pose_b);
@@ -147,7 +147,7 @@ void mirror(Trace& trace) {
     swap_ends(step.found);
   }
   for (TraceSupport& p : trace.polytope) swap_ends(p);
-  for (auto& t : trace.triangles) std::swap(t[1], t[2]);  // the difference is turned about the origin
+  for (auto& t : trace.triangles) std::swap(t[1], t[2]);  // the difference is mirrored at the origin
 }
 
 template <class T>
@@ -155,7 +155,7 @@ bool are_boxes(const Shape<T>& a, const Shape<T>& b) {
   return box_core(a) && box_core(b);
 }
 
-/// How the distance of two shapes that stand in order was found.
+/// Names the method by which the distance of two shapes in order was found.
 template <class T>
 void explain_ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                               const Distance<T>& answer, Trace& trace) {
@@ -169,7 +169,7 @@ void explain_ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Sh
   }
 }
 
-/// How it was found whether two shapes that stand in order touch.
+/// Names the method of the overlap test of two shapes in order.
 template <class T>
 void explain_ordered_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                              Trace& trace) {
@@ -181,7 +181,7 @@ void explain_ordered_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Sha
     explain_overlap_search(a, pose_a, b, pose_b, trace);
 }
 
-/// Calls `f(a, pose_a, b, pose_b)` with the shapes in the order of the list of shapes, and turns what it wrote back.
+/// Calls `f(a, pose_a, b, pose_b)` with the shapes in the order of the list of shapes, and mirrors the trace back.
 template <class T, class F>
 void in_order(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace, F&& f) {
   if (!against_order(a, b)) return f(a, pose_a, b, pose_b);
@@ -189,8 +189,8 @@ void in_order(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const
   mirror(trace);
 }
 
-/// Whether the points of a manifold stand on one of the separating axes, or no point is due since one of them separates
-/// the shapes by more than the margin. Names the axis and why it was taken.
+/// Whether a manifold's points belong to one of the separating axes, or it has none since one separates the shapes by
+/// more than the margin. Names the axis and the reason for the choice.
 template <class T>
 bool explain_reference_axis(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                             T margin, const Manifold<T>& answer, Trace& trace) {
@@ -202,7 +202,7 @@ bool explain_reference_axis(const Shape<T>& a, const Pose<T>& pose_a, const Shap
   if (answer.points.empty()) return best.separation - radius_of(a) - radius_of(b) > static_cast<double>(margin);
   const double smaller = least(Side<T>(a, Posed{}).size(), Side<T>(b, Posed{}).size());
   const SeparatingAxis& axis = reference_axis(axes, smaller);
-  // The answer's normal is rounded to T, and the axis of two edges that are nearly parallel by more.
+  // The answer's normal is rounded to T; the axis of two nearly parallel edges differs by more.
   const Vec3d normal = rotate(frame.rotation, axis.normal);
   if (length(normal - converted<double>(answer.normal)) >
       std::sqrt(static_cast<double>(std::numeric_limits<T>::epsilon())))

@@ -1,7 +1,7 @@
-// Explanations of the answers for two convex shapes: how each was found, for show, after it has been found.
+// Explanations of the answers for two convex shapes: the method of each, made after the answer.
 //
-// Guarantee: no answer is computed here and none depends on anything here. An explanation asks the routines that
-// answered once more where it has to know which of them did, and repeats the searches with an observer.
+// Guarantee: nothing here computes an answer or has an influence on one. An explanation calls the routines once more to
+// find out which of them answered, and repeats the searches with an observer.
 #pragma once
 
 #include "graze/contact.hpp"

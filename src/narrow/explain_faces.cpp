@@ -9,8 +9,8 @@ namespace graze {
 
 namespace {
 
-/// Whether every point of the answer, in the frame of A, is one that the faces give: of the same features, and seen
-/// along the normal not further beside it than `same_place` of a size.
+/// Whether every point of the answer, in the frame of A, is one of the faces' contacts: with the same features, and at
+/// most `same_place` of a size beside it as seen along the normal.
 template <class T>
 bool stands_on(const FaceContacts& faces, const Manifold<T>& answer, const Posed& frame, const Vec3d& normal,
                double size) {

@@ -1,4 +1,4 @@
-// The faces that contacts of two convex shapes stand on, and how they were laid over each other, in the world.
+// The faces of two convex shapes from which contacts were clipped, and the cuts, in the world.
 #pragma once
 
 #include "graze/contact.hpp"
@@ -7,8 +7,7 @@
 
 namespace graze {
 
-/// Nothing where the points are those of no faces: closest
-/// points, or a body on a half-space.
+/// Nothing where the points do not come from faces: closest points, or a body on a half-space.
 template <class T>
 void explain_faces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                    const Manifold<T>& answer, Trace& trace);

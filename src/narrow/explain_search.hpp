@@ -1,4 +1,4 @@
-// The steps of GJK and EPA on two convex shapes that stand in the order of the list of shapes, in the world.
+// The steps of GJK and EPA on two convex shapes that are in the order of the list of shapes, in the world.
 #pragma once
 
 #include "graze/result.hpp"
@@ -7,12 +7,12 @@
 
 namespace graze {
 
-/// Those that find the distance: GJK, and EPA where the cores overlap.
+/// The steps of the distance: GJK, and EPA where the cores overlap.
 template <class T>
 void explain_distance_search(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                              Trace& trace);
 
-/// Those that find whether the shapes touch: GJK up to where that is known.
+/// The steps of the overlap test: GJK until the answer is known.
 template <class T>
 void explain_overlap_search(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                             Trace& trace);

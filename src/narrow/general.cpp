@@ -15,8 +15,8 @@ namespace graze {
 
 namespace {
 
-/// Half the answer on each side of the middle of the two points, so that b - a = distance * normal holds to the last
-/// bits whatever the iteration left.
+/// Puts half of the distance on each side of the middle of the two points, so that b - a = distance * normal holds to
+/// the last bits whatever the iteration left.
 CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d& a, const Vec3d& b) {
   const Vec3d middle = (a + b) * 0.5, half = normal * (distance * 0.5);
   return {distance, normal, middle - half, middle + half};
@@ -26,11 +26,11 @@ template <class Difference>
 GeneralDistance judged(const Difference& difference, const CoreDistance<double>& core, double gap, double noise) {
   const double allowed = 0.5 * tolerance<double> * difference.size() + rounding_error * difference.reach();
   if (gap <= allowed) return {core, Status::converged, greatest(gap, 0.0), noise};
-  return {core, Status::bounded, gap + noise, noise};  // rounding too may take from the gap along the normal
+  return {core, Status::bounded, gap + noise, noise};  // rounding may also reduce the gap along the normal
 }
 
-/// Of cores of which one at least has an ellipsoid or a disc in it, where the descent ends; it may not be proven. The
-/// depths of boxes and points are known without.
+/// The result of Newton's descent, perhaps unproven, for cores of which one at least contains an ellipsoid or a disc.
+/// The depths of boxes and points are known without it.
 template <class T>
 std::optional<GeneralDistance> directly(const Difference<T>& difference, const ShapeCore<T>& a, const ShapeCore<T>& b,
                                         const Posed& b_in_a, double limit, double noise) {
@@ -44,7 +44,7 @@ std::optional<GeneralDistance> directly(const Difference<T>& difference, const S
   return judged(difference, centered(distance, found->normal, found->a, found->b), found->depth - found->lower, noise);
 }
 
-/// Of two answers for cores that overlap the smaller depth, with the better proof of both.
+/// The smaller depth of two answers for cores that overlap, with the better proof of both.
 template <class Difference>
 GeneralDistance better_of(const Difference& difference, const GeneralDistance& one, const GeneralDistance& other) {
   if (one.core.distance > 0 || other.core.distance > 0) return other;
@@ -53,7 +53,7 @@ GeneralDistance better_of(const Difference& difference, const GeneralDistance& o
   return judged(difference, less.core, -less.core.distance - lower, less.noise);
 }
 
-/// Of capsules and segments: the tapered ones have no core that is a box.
+/// The distance of capsules and segments in closed form: tapered capsules have no core that is a box.
 template <class T>
 std::optional<CoreDistance<double>> distance_of_ball_hulls(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a) {
   const auto hull_a = ball_hull_of(a);
@@ -68,7 +68,7 @@ template <class Difference>
 EpaResult depth_of(const Difference& difference, const Simplex& start, double goal) {
   return epa(difference, start, goal);
 }
-/// On lanes, unless the general EPA has to.
+/// EPA across lanes, or the general EPA where that fails.
 template <class T>
 EpaResult depth_of(const HullDifference<T>& difference, const Simplex& start, double goal) {
   static const auto kernel = GRAZE_KERNEL(chosen_isa(), hull_depth<T>);
@@ -79,8 +79,8 @@ EpaResult depth_of(const HullDifference<T>& difference, const Simplex& start, do
   return proven ? found : epa(difference, start, goal);
 }
 
-/// Raises the lower bound of a depth to how deep the point of one core is inside the other. Where that is the depth,
-/// the ball about the point touches the other's boundary along the normal, which gives the second point better than a
+/// Raises the lower bound of a depth to the depth of one core's point inside the other. Where that is the depth, the
+/// ball about the point touches the other's boundary along the normal, which gives the second point better than a
 /// search.
 template <class T>
 void prove_by_inside(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double noise, double tolerance,
@@ -106,11 +106,12 @@ GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Posed& b
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
   if (g.end != GjkEnd::touching && g.tells_normal()) {
     const Vec3d point_a = g.simplex.point_a(), point_b = g.simplex.point_b();
-    // Rounding may shorten the way to a flat simplex to less than a direction proves: then its own two points tell.
+    // Rounding may make the distance to a flat simplex shorter than the one proven along a direction: then its own two
+    // points are used.
     const double upper = g.upper < g.lower - noise ? greatest(g.lower, length(point_b - point_a)) : g.upper;
     return judged(difference, centered(upper, g.normal, point_a, point_b), upper - g.along, noise);
   }
-  if (limit < std::numeric_limits<double>::infinity()) {  // a question of contacts, whose faces come next
+  if (limit < std::numeric_limits<double>::infinity()) {  // a query of contacts, whose faces come next
     expect_faces(a);
     expect_faces(b);
   }
@@ -135,7 +136,7 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
   if (const auto hulls = distance_of_ball_hulls(a, b, b_in_a)) return {*hulls, Status::converged, 0, noise};
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
-  // Two boxes' axes and corners cost less than GJK.
+  // The axes and corners of two boxes cost less than GJK.
   if (const auto boxes = as_boxes(a, b, b_in_a)) {
     if (const BoxNearest<double> nearest = nearest_of_boxes(*boxes, noise); nearest.proven) {
       const CoreDistance<double>& core = nearest.core;

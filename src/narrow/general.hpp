@@ -1,5 +1,5 @@
 // The general path: any two bounded convex shapes by GJK on their cores, and EPA where the cores overlap; sums of boxes
-// and ellipsoids by descent on their closed forms where that is proven.
+// and ellipsoids by Newton's descent on their closed forms where that is proven.
 #pragma once
 
 #include "graze/result.hpp"
@@ -10,7 +10,7 @@
 
 namespace graze {
 
-/// The size of a pair: the larger radius about a shape's own origin, of those that are bounded.
+/// The size of a pair: the larger radius about a shape's own origin, among the bounded shapes.
 template <class T>
 double pair_size(const Shape<T>& a, const Shape<T>& b) {
   const auto extent = [](const Shape<T>& shape) {
@@ -24,7 +24,7 @@ double pair_size(const Shape<T>& a, const Shape<T>& b) {
   return greatest(extent(a), extent(b));
 }
 
-/// What rounding may do to the distance of a pair of that size: relative to its largest coordinate, in the frame of A.
+/// Rounding of the distance of a pair of that size: relative to its largest coordinate, in the frame of A.
 inline double noise_of(double pair_size, const Vec3d& translation) {
   return rounding_error * (pair_size + max_abs(translation));
 }
@@ -33,16 +33,16 @@ double noise_of(const Shape<T>& a, const Shape<T>& b, const Vec3d& translation) 
   return noise_of(pair_size(a, b), translation);
 }
 
-/// A signed distance of cores with its honesty.
+/// A signed distance of cores with its error bound.
 struct GeneralDistance {
   CoreDistance<double> core;  ///< in the frame of A
   Status status;
   double error;
-  double noise;  ///< what rounding may do to it, see `noise_of`
+  double noise;  ///< rounding of the distance, see `noise_of`
 };
 
-/// Cores that are further apart than `limit` are only proven to be: the distance is then a lower bound beyond it, along
-/// its normal, and the points are not the closest ones.
+/// The distance of the cores. Those further apart than `limit` are only proven to be: the distance is then a lower
+/// bound beyond it, along its normal, and the points are not the closest ones.
 template <class T>
 GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a,
                                  double limit = std::numeric_limits<double>::infinity());

@@ -1,4 +1,4 @@
-// What the general path and its explanation search with: the same difference, goals and starts, so that the steps shown
+// Differences, goals and starts of the general path's searches, shared with its explanation, so that the steps shown
 // are those of the answer.
 #pragma once
 
@@ -11,15 +11,15 @@
 
 namespace graze {
 
-/// What the iterations aim at: well within the library's tolerance, since closest points and normals of smooth shapes
-/// lose half the digits of the distance.
+/// Goals of the iterations: well within the library's tolerance, since closest points and normals of smooth shapes lose
+/// half the digits of the distance.
 inline constexpr double distance_goal = 1e-13;
 inline constexpr double depth_goal = 1e-11;
 
 template <class T>
 using Difference = MinkowskiDifference<ShapeCore<T>, ShapeCore<T>>;
 
-/// Two shapes whose corners are scanned.
+/// Two shapes whose corners are scanned, with their difference.
 template <class T>
 struct ScannedPair {
   ScannedPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a)
@@ -30,17 +30,17 @@ struct ScannedPair {
   ScannedShape<T> corners_a, corners_b;
   HullDifference<T> difference;
 };
-/// A hull and another such shape: all others have routines of their own.
+/// Whether a pair is a hull and another scannable shape: all other pairs have routines of their own.
 template <class T>
 bool are_scanned(const Shape<T>& a, const Shape<T>& b) {
   return (is_hull(a) || is_hull(b)) && is_scannable(a) && is_scannable(b);
 }
 
-/// `noise`: what rounding may do to the distance; `limit`: how far apart anybody wants to know of.
+/// The goals of a distance search. `noise`: rounding of the distance; `limit`: largest distance of interest.
 inline GjkGoal distance_goals(double size, double noise, double limit) {
   return {distance_goal * size + noise, greatest(limit + noise, noise)};
 }
-/// What rounding cannot tell from touching touches, here as in the distance.
+/// The goals of an overlap search. A gap within rounding counts as touching, as it does for the distance.
 inline GjkGoal overlap_goals(double size, double noise, double reach) {
   return {distance_goal * size + noise, reach + noise, reach + noise};
 }
@@ -54,7 +54,7 @@ GjkResult search(HullDifference<T>& difference, const GjkGoal& goal, const Obser
   return gjk_spread(difference, goal, observer);
 }
 
-/// Calls `f(difference)` with the difference of the cores of two bounded shapes that the distance is searched in.
+/// Calls `f(difference)` with the difference of two bounded shapes' cores for distance searches.
 template <class T, class F>
 decltype(auto) with_distance_difference(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, F&& f) {
   if (are_scanned(a, b)) {
@@ -66,8 +66,8 @@ decltype(auto) with_distance_difference(const Shape<T>& a, const Shape<T>& b, co
   return f(difference);
 }
 
-/// Calls `f(difference)` with the one that overlap is searched in. Few corners are sooner asked one by one than placed
-/// before the first question: a ball with a hull takes two thirds of the time, a box the same.
+/// Calls `f(difference)` with the difference for overlap searches. Few corners are cheaper to transform one by one than
+/// all together before the first query: a ball with a hull takes two thirds of the time, so does a box.
 template <class T, class F>
 decltype(auto) with_overlap_difference(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, F&& f) {
   if (is_hull(a) && is_hull(b) && are_scanned(a, b)) {

@@ -1,4 +1,4 @@
-// The table of contacts: which routine finds those of two convex shapes.
+// The table of contact routines for two convex shapes.
 #include <array>
 
 #include "narrow/core/relative_frame.hpp"
@@ -33,8 +33,8 @@ concept HasMoreContacts = requires(const InPlaceA<P, T>& a, const InPlaceB<P, T>
 template <class T>
 using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifold<T>&);
 
-/// Where the pair's own routine has no answer; of two that may touch in more points it has left the closest. Its own
-/// function: its numbers would push those of the other pairs out of registers, a sixth of their time.
+/// The contacts where the pair's own routine has no answer; for pairs with several points it has left the closest. A
+/// function of its own: its numbers would push those of the other pairs out of registers, a sixth of their time.
 template <class P, class T>
 [[gnu::noinline]] GRAZE_FLATTEN T remaining_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                                                      const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
@@ -46,7 +46,7 @@ template <class P, class T>
   return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
 }
 
-/// One function, so that numbers stay in registers on their way to the manifold.
+/// The contacts by the pair's routine. One function, so that numbers stay in registers on their way to the manifold.
 template <class P, class T>
 GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                               T margin, Manifold<T>& manifold) {
@@ -61,7 +61,7 @@ T other_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
 }
 
-/// Of two shapes that stand against the order.
+/// The contacts of two shapes in reverse order.
 template <class T>
 T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                     Manifold<T>& manifold) {
@@ -70,10 +70,10 @@ T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
   return distance;
 }
 
-/// Whether a pair of one kind is answered the other way round. What the general path chooses where two choices are as
-/// good (the face that others are laid over, the edge that counts, the vertex that a search begins at) follows the
-/// order of the shapes. The larger shape tells theirs or, of two as large, where each sees the other: a swap swaps both
-/// to the last bit, and a motion of the two keeps them.
+/// Whether two shapes of one kind are swapped. Where two choices are equally good (the reference face, the edge that
+/// counts, the vertex at which a search begins) the general path depends on the order of the shapes. The larger shape
+/// comes first or, of two equally large ones, one by its position relative to the other: a swap of the arguments then
+/// swaps the answer to the last bit, and a motion of both keeps it.
 template <class T>
 bool stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
   const auto extent = [](const Shape<T>& shape) {
@@ -96,7 +96,7 @@ bool stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   return false;
 }
 
-/// Of two shapes of one kind.
+/// The contacts of two shapes of one kind.
 template <class T>
 T alike_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                  Manifold<T>& manifold) {
@@ -106,7 +106,7 @@ T alike_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   return distance;
 }
 
-/// The general path, the other way round, or the pair's own routine.
+/// The routines: the general path, in order or swapped, or the pair's own routine.
 template <class T>
 class Table {
  public:

@@ -1,8 +1,8 @@
 // The one list of special pairs. The table for single pairs, the kernels for batches, the world's bundles and the runs
 // of a mesh's triangles are derived from it; a pair of convex shapes that is not in it takes the general path.
 //
-// To add one: a struct as `narrow/pairs/pair.hpp` describes it in a file of its own, its include, and its name in the
-// list.
+// To add a pair: a struct as described in `narrow/pairs/pair.hpp` in a file of its own, its include, and its name in
+// the list.
 #pragma once
 
 #include <cstddef>
@@ -27,12 +27,12 @@ template <class... P>
 struct Pairs {
   static constexpr std::size_t count = sizeof...(P);
 
-  /// Calls `f` with each pair as its template's argument.
+  /// Calls `f` with each pair as its template argument.
   template <class F>
   static constexpr void each(const F& f) {
     (f.template operator()<P>(), ...);
   }
-  /// Calls it with the one of that place in the list, if there is one.
+  /// Calls `f` with the pair at that index in the list, if there is one.
   template <class F>
   static constexpr void with(std::size_t place, const F& f) {
     std::size_t at = 0;

@@ -27,7 +27,7 @@ template <class T>
   const T radius_a = rounding_radius(a.shape), radius_b = rounding_radius(b.shape);
   const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
   const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
-  // By so much more that it still exceeds the limit when rounded to T.
+  // The limit, increased so that a distance beyond it still exceeds it when rounded to T.
   const double beyond = static_cast<double>(limit) * (1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
   GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, beyond + radii);
   if (g.core.distance > beyond + radii + g.noise) {  // only proven, without points
@@ -36,11 +36,11 @@ template <class T>
     d.normal = converted<T>(rotate(frame.rotation, g.core.normal));
     return d;
   }
-  // A distance that rounding cannot tell from none is none: the shapes touch.
+  // A distance within rounding of zero is zero: the shapes touch.
   if (std::abs(g.core.distance - radii) <= g.noise) g.core.distance = radii;
   Distance<T> d = finished_in_double(g.core, radius_a, radius_b, frame);
   d.error = static_cast<T>(g.error);
-  // The general path judges itself by double's tolerance, whichever scalar a support function of the user's answers in.
+  // The general path rates itself by double's tolerance, whichever scalar a support function of the user's answers in.
   const double allowed = static_cast<double>(tolerance<T>) / 2 * pair_size(a.shape, b.shape);
   d.status = g.error <= allowed ? Status::converged : g.status;
   return d;
@@ -78,7 +78,7 @@ std::optional<Distance<T>> distance_of_pair(const Body<T>& a, const Body<T>& b) 
   return P::distance(in_place<typename P::template A<T>>(a), in_place<typename P::template B<T>>(b));
 }
 
-/// The same, written to where it is wanted; returns whether it is known.
+/// The distance of a pair, written to its destination; returns whether it is known.
 template <class P, class T>
 GRAZE_FLATTEN bool put_distance_of_pair(const Body<T>& a, const Body<T>& b, Distance<T>& d) {
   const auto found = distance_of_pair<P>(a, b);
@@ -86,7 +86,7 @@ GRAZE_FLATTEN bool put_distance_of_pair(const Body<T>& a, const Body<T>& b, Dist
   return found.has_value();
 }
 
-/// In one function with the distance, of which it needs no points.
+/// Overlap by distance, in one function with it, so that its points are not computed.
 template <class P, class T>
 GRAZE_FLATTEN std::optional<bool> distance_tells_overlap(const Body<T>& a, const Body<T>& b) {
   const auto found = distance_of_pair<P>(a, b);
@@ -106,15 +106,15 @@ bool first_look_of_pair(const Body<T>& a, const Body<T>& b) {
   return P::may_overlap(in_place<typename P::template A<T>>(a), in_place<typename P::template B<T>>(b));
 }
 
-/// In one function with the distance, of which it then needs no points: by the table's distance the overlap of a box
-/// and a half-space took a quarter longer.
+/// Overlap by distance, in one function with it, so that its points are not computed: by the table's distance the
+/// overlap of a box and a half-space took a quarter longer.
 template <class P, class T>
 GRAZE_FLATTEN bool overlap_by_distance(const Body<T>& a, const Body<T>& b) {
   if (const auto found = distance_of_pair<P>(a, b)) return found->distance <= T(0);
   return general(a, b, std::numeric_limits<T>::infinity()).distance <= T(0);
 }
 
-/// The special routines of two kinds of shape; none where the general path has all their values.
+/// The special routines of two kinds of shape; null where the general path answers for all of their values.
 template <class T>
 struct Routines {
   bool (*distance)(const Body<T>&, const Body<T>&, Distance<T>&) = nullptr;
@@ -135,8 +135,8 @@ constexpr Routines<T> routines_of_pair() {
   return routines;
 }
 
-/// Composites never come here: they are taken apart first. Nor does a pair against the order of the list of shapes: it
-/// is asked the other way round.
+/// The table of routines. Composites are never looked up, since they are taken apart before, nor are pairs against the
+/// order of the list of shapes, which are swapped before.
 template <class T>
 class Table {
  public:
@@ -157,7 +157,7 @@ class Table {
 template <class T>
 inline constexpr Table<T> table;
 
-/// The general path takes bounded shapes only.
+/// Whether every convex kind has a routine with half-spaces: the general path takes bounded shapes only.
 template <class T, std::size_t... I>
 constexpr bool all_meet_half_spaces(std::index_sequence<I...>) {
   const auto meets = []<class C>(std::size_t kind) {

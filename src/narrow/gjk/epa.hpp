@@ -1,10 +1,10 @@
 // EPA: the penetration depth of two convex cores (van den Bergen 2001, "Proximity queries and penetration depth
 // computation on 3D game objects"; the expanding polytope in his 2003 book, section 4.3.8).
 //
-// Guarantee: `upper` is the length of a translation that does separate the cores (it is measured by a support query),
-// and no shorter one than `lower` exists. They meet within the tolerance unless the expansion bound is reached, as it
-// is only where very many directions give nearly the same depth (bodies of revolution, concentric and alike): then
-// `upper` is good and only its proof is missing.
+// Guarantee: `upper` is the length of a translation that does separate the cores (measured by a support query), and no
+// shorter one than `lower` exists. They meet within the tolerance unless the expansion bound is reached, which happens
+// only where very many directions give nearly the same depth (bodies of revolution, concentric and alike): then `upper`
+// is good and only its proof is missing.
 #pragma once
 
 #include "narrow/gjk/epa_result.hpp"
@@ -18,7 +18,7 @@ inline constexpr int epa_expansions = 240;
 inline constexpr int slide_steps = 256;
 inline constexpr double slide_stretch = 65536, slide_clearance = 1.0 / 64;
 
-/// A difference whose B is moved aside.
+/// A difference with B translated.
 template <class Difference>
 class Translated {
  public:
@@ -37,10 +37,10 @@ class Translated {
   Vec3d offset_;
 };
 
-/// Slides along the boundary of the difference to the nearest point of its neighbourhood: B is moved clear of A along
-/// the normal that is known, and the normal of the closest points then is a better one. The depth never grows, and each
-/// step is drawn out as long as that pays, until only rounding (`noise`) is left to gain. For the shapes of which the
-/// polytope takes too many facets: smooth ones, nearly concentric.
+/// Slides along the boundary of the difference to a nearest point of its neighbourhood: B is moved clear of A along the
+/// present normal, and the normal of the closest points then is a better one. The depth never grows, and each step is
+/// lengthened as long as that pays, until only rounding (`noise`) is left to gain. For shapes that need too many
+/// facets: smooth ones, nearly concentric.
 template <class Difference>
 void slide(const Difference& difference, double noise, EpaResult& r) {
   const double clearance = slide_clearance * difference.size();
@@ -69,7 +69,7 @@ void slide(const Difference& difference, double noise, EpaResult& r) {
   }
 }
 
-/// Takes one of the axes of the two shapes' frames, or the way between their centres, where that has less depth: a
+/// Takes one of the axes of the two shapes' frames, or the line between their centres, where that has less depth: a
 /// body of revolution may have its face there, which the polytope meets only by chance.
 template <class Difference>
 void try_axes(const Difference& difference, EpaResult& r) {
@@ -129,7 +129,7 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
     }
     observer.expansion(-normal, offset, depth, found, polytope);
   }
-  // Not the last facet's offset: what was closed is not counted in that, nor how rounding turned a sliver's plane.
+  // Not the last facet's offset, which disregards closed facets, and rounding of a sliver's plane.
   r.lower = polytope.inner_radius(r.upper);
   r.normal = -outward;
   polytope.witness(outward, deepest, r.a, r.b);
@@ -137,7 +137,7 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
     try_axes(difference, r);
     slide(difference, noise, r);
   }
-  // The boundary of the polytope is no further from where the normal ends than the two bounds are from each other.
+  // The boundary of the polytope is no further from the end of the normal than the two bounds are from each other.
   const Vec3d target = r.normal * -r.upper;
   const double missed = length(r.b - r.a - target);
   if (!(missed <= tolerance)) {

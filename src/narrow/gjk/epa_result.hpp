@@ -1,4 +1,4 @@
-// What EPA tells of two convex cores that overlap.
+// The result of EPA for two convex cores that overlap.
 #pragma once
 
 #include "graze/vec3.hpp"

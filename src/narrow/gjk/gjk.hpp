@@ -11,8 +11,8 @@
 
 namespace graze {
 
-/// Polyhedra end after at most a few tens of iterations, smooth shapes gain a digit in two or three; this is far above
-/// what either needs and bounds what a broken support function can cost.
+/// Largest number of iterations. Polyhedra end after at most a few tens, smooth shapes gain a digit in two or three;
+/// this is far above either need and bounds the cost of a faulty support function.
 inline constexpr int gjk_iterations = 128;
 
 /// Steps without progress that GJK takes before it stops; a simplex has at most four vertices to exchange.
@@ -20,33 +20,33 @@ inline constexpr int idle_steps = 4;
 
 enum class GjkEnd {
   apart,     ///< the distance is known within the tolerance
-  touching,  ///< the origin lies in the difference, or so close that rounding cannot tell
+  touching,  ///< the origin lies in the difference, or within rounding of it
   stalled,   ///< rounding or the iteration bound stopped it first; the bounds hold
 };
 
 struct GjkResult {
   GjkEnd end = GjkEnd::touching;
   Simplex simplex;  ///< carries the nearest point, or the origin when touching
-  Vec3d nearest;    ///< of the difference, to the origin: b - a of the closest points
+  Vec3d nearest;    ///< point of the difference nearest to the origin: b - a of the closest points
   Vec3d normal;     ///< unit: the direction of `nearest`, or an earlier one along which the shapes are further apart
   double lower = 0, upper = 0;
-  double along = 0;  ///< how far the shapes are apart along `normal`: the proof that goes with it
+  double along = 0;  ///< separation along `normal`, the proof that goes with it
 
-  /// Whether the shapes are known to be about as far apart along `normal` as they are: of two that are as good as
-  /// touching, the way from point to point may be any.
+  /// Whether the separation along `normal` is known to be about the distance: for two shapes about to touch, the vector
+  /// between the points may have any direction.
   bool tells_normal() const { return lower > upper / 2; }
 };
 
-/// What a caller wants to know, and so when GJK may stop.
+/// The needs of a caller, which decide when GJK may stop.
 struct GjkGoal {
-  double tolerance;        ///< of `upper - lower`
+  double tolerance;        ///< largest `upper - lower`
   double separation = -1;  ///< stop as soon as the distance is known to exceed this (if >= 0) ...
   double proximity = -1;   ///< ... or not to exceed this (if >= 0)
 };
 
-/// The shapes are `separation` apart along the direction of the nearest point. That is the normal unless an earlier one
-/// is better: rounding can keep the direction from settling, and an earlier one's separation may gain more than it
-/// costs in agreement with the closest points.
+/// Takes the direction of the nearest point, along which the separation is `separation`, as the normal unless an
+/// earlier one is better: rounding can keep the direction from settling, and an earlier one's separation may gain more
+/// than it costs in agreement with the closest points.
 inline void take_normal(GjkResult& r, const Vec3d& direction, double separation) {
   if (separation >= r.lower || length(r.nearest - r.normal * r.upper) >= r.lower - separation) {
     r.normal = by_parts(direction);
@@ -55,7 +55,7 @@ inline void take_normal(GjkResult& r, const Vec3d& direction, double separation)
   r.lower = greatest(r.lower, separation);
 }
 
-/// From the simplex of `r`, whose points are the difference's.
+/// Iterates from the simplex of `r`, whose points are the difference's.
 template <class Difference, class Observer>
 void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal, const Observer& observer) {
   using std::sqrt;
@@ -80,20 +80,20 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
     if (goal.proximity >= 0 && r.upper <= goal.proximity) return;
 
     const Vec3d direction = r.nearest / r.upper;
-    // Not along the direction itself, which is longer in the making: a root and a division.
+    // Along `r.nearest`, since the direction takes longer: a root and a division.
     const SupportPoint& found = r.simplex.add([&] { return difference.support(r.nearest); });
     const double separation = dot(found.w, direction);
     take_normal(r, direction, separation);
     observer.gjk_step(r.simplex, direction, r.lower, r.upper);
     if (goal.separation >= 0 && r.lower > goal.separation) return ended(GjkEnd::apart);
-    // Within the tolerance and known to be apart along a normal that tells how far, or within rounding of it.
+    // Within the tolerance, and separated along a normal that gives the distance, or within rounding of it.
     if (r.upper - r.lower <= goal.tolerance && (r.tells_normal() || r.upper - separation <= touching))
       return ended(GjkEnd::apart);
     if (r.simplex.repeats()) return ended(GjkEnd::stalled);
 
     const Nearest nearest = nearest_to_origin(r.simplex);
     if (nearest.enclosed) {
-      // A flat tetrahedron deceives: the shapes are known to be apart.
+      // A flat tetrahedron is unreliable: the shapes are known to be apart.
       if (r.lower > touching) return ended(GjkEnd::stalled);
       r.nearest = {};
       r.lower = r.upper = 0;
@@ -101,8 +101,8 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
       return;
     }
     const double upper = sqrt(nearest.squared);
-    // A step along a long thin simplex may turn the direction and yet shorten it by less than rounding: a few such
-    // steps are taken, more of them would be going in circles.
+    // A step along a long thin simplex may change the direction and yet shorten it by less than rounding: a few such
+    // steps are taken; more of them would cycle.
     if (upper >= r.upper && (upper > r.upper + touching || ++idle > idle_steps)) return ended(GjkEnd::stalled);
     reduce(r.simplex, nearest);
     r.nearest = by_parts(nearest.point);
@@ -111,22 +111,22 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
   r.end = GjkEnd::stalled;
 }
 
-/// How exactly the gap along the normal equals the distance of the points, relative to it, where shapes are so close
-/// that the goal's tolerance leaves the normal open: a gap that falls short by a part e leans by sqrt(2 e), here 3e-4.
+/// Largest relative difference of the gap along the normal and the distance of the points for shapes so close that the
+/// goal's tolerance leaves the normal open: a gap that falls short by a part e leans by sqrt(2 e), here 3e-4.
 inline constexpr double settled_part = 5e-8;
 
-/// How many tolerances of the goal a search may miss by and yet end as well as its answer needs: the goal is far within
-/// what is promised.
+/// Number of the goal's tolerances by which a search may miss and still be good enough for its answer: the goal is far
+/// within the guarantee.
 inline constexpr double open_part = 32;
 
-/// A tetrahedron whose volume falls below this part of the product of three of its edges tells with too few digits on
-/// which side of its faces the origin lies.
+/// Volume of a tetrahedron, relative to the product of three of its edges, below which too few digits are left to
+/// decide on which side of its faces the origin lies.
 inline constexpr double flat_volume = 1e-5;
 
-/// Points of a difference nearer than this part of its size are checked against their weights.
+/// Distance of the points, relative to the difference's size, below which they are checked against their weights.
 inline constexpr double weights_part = 1e-3;
 
-/// More than any search that begins near its end takes, unless it goes in circles.
+/// More than any search needs that begins near its end, unless it cycles.
 inline constexpr int refining_iterations = 64;
 
 inline bool is_flat(const Simplex& s) {
@@ -135,22 +135,22 @@ inline bool is_flat(const Simplex& s) {
   return !(volume * volume > flat_volume * flat_volume * dot(a, a) * dot(b, b) * dot(c, c));
 }
 
-/// What rounding leaves open of the gap along a unit vector: a support query's turn and difference, and a product.
+/// Rounding of the gap along a unit vector: that of a support query's rotation and difference, and of a product.
 inline double gap_rounding(double reach) { return 4 * std::numeric_limits<double>::epsilon() * reach; }
 
-/// Whether the search ended in numbers that do not prove what it says: the gap along the normal is not the distance of
-/// the points, the points are not the weights' own, or a flat tetrahedron holds the origin.
+/// Whether the numbers at the end of the search do not prove its answer: the gap along the normal is not the distance
+/// of the points, the points are not those of the weights, or a flat tetrahedron contains the origin.
 template <class Difference>
 bool is_open(const GjkResult& r, const Difference& difference, const GjkGoal& goal) {
   if (r.end == GjkEnd::touching) return r.simplex.size() == 4 && is_flat(r.simplex);
   if (goal.separation >= 0 && r.along > goal.separation) return false;
   const double apart = r.upper - r.along, noise = gap_rounding(difference.reach());
   if (apart > greatest(noise, least(settled_part * r.upper, open_part * goal.tolerance))) return true;
-  // The weights of a triangle that is all but a segment have fewer digits than its nearest point.
+  // The weights of a triangle that is nearly a segment have fewer digits than its nearest point.
   return r.upper < weights_part * difference.reach() && length(r.simplex.point() - r.nearest) > noise;
 }
 
-/// Onward from where rounding ended the search, the nearest point of each simplex in twice the digits.
+/// Continues from where rounding ended the search, the nearest point of each simplex in twice the digits.
 template <class Difference, class Observer>
 [[gnu::noinline]] void gjk_refined(GjkResult& r, const Difference& difference, const GjkGoal& goal,
                                    const Observer& observer) {
@@ -197,18 +197,18 @@ void refine_if_open(GjkResult& r, const Difference& difference, const GjkGoal& g
   if (is_open(r, difference, goal)) gjk_refined(r, difference, goal, observer);
 }
 
-/// From a simplex of points that are the difference's, such as one that was left nearby.
+/// Starts from a simplex of points of the difference, such as the result for a nearby pose.
 template <class Difference>
 GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const GjkGoal& goal) {
-  GjkResult r;  // not of zeros: most of its simplex is never looked at
+  GjkResult r;  // not zeroed: most of its simplex is never read
   r.simplex = simplex;
   gjk_onward(r, difference, goal, Unobserved());
   refine_if_open(r, difference, goal, Unobserved());
   return r;
 }
 
-/// The point along the unit vector `n`, which `query` finds, joins the simplex. Returns whether it separates them by
-/// enough at once; an observer is shown the steps all the same.
+/// Adds the support point along the unit vector `n`, found by `query`, to the simplex. Returns whether it separates the
+/// shapes by enough at once; a search with an observer goes on all the same.
 template <class Observer, class Query>
 bool separates_at_once(GjkResult& r, const Query& query, const GjkGoal& goal, const Vec3d& n) {
   const SupportPoint& found = r.simplex.add([&] { return query(n); });
@@ -225,7 +225,7 @@ bool separates_at_once(GjkResult& r, const Query& query, const GjkGoal& goal, co
   return true;
 }
 
-/// From the point along the way from centre to centre.
+/// Starts from the support point along the line from centre to centre.
 template <class Difference, class Observer = Unobserved>
 GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Observer& observer = {}) {
   GjkResult r;
@@ -236,14 +236,14 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Observer&
   return r;
 }
 
-/// From four points: that along the way from centre to centre, and three along vectors that lean from it to where that
-/// point lies. They do not wait for each other as steps do, and take the place of about three. For polyhedra, of which
-/// all points are corners. How far the shapes are apart along these vectors answers a goal that it meets; else it is
-/// forgotten, since the first step that ends the search proves as much along a better one.
+/// Starts from four points: the support point along the line from centre to centre, and three along vectors that lean
+/// from it to where that point lies. They have no dependency on each other as steps do, and save about three of these.
+/// For polyhedra, whose support points are all corners. The separations along these vectors answer a goal that they
+/// meet; else they are dropped, since the last step of the search proves as much along a better one.
 template <class Difference, class Observer = Unobserved>
 GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, const Observer& observer = {}) {
-  // Unit vectors by their parts along that way, towards the point and across: 1, 0.3, 0 and 1, 0.5, +-0.5. Of three
-  // dozen sets tried the one that left the fewest steps, for random hulls of 32 points.
+  // Unit vectors by their components along that line, towards the point and across: 1, 0.3, 0 and 1, 0.5, +-0.5. Among
+  // three dozen sets tried, the one with the fewest steps for random hulls of 32 points.
   constexpr double leans[3][3] = {{0.95782628522115137, 0.28734788556634541, 0},
                                   {0.81649658092772603, 0.40824829046386302, 0.40824829046386302},
                                   {0.81649658092772603, 0.40824829046386302, -0.40824829046386302}};

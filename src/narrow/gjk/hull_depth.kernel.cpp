@@ -9,7 +9,7 @@ namespace graze::GRAZE_ISA {
 
 namespace {
 
-/// Limits of what numbers hold, not tolerances: the noise is `rounding`, 7e-15, times the difference's reach, which so
+/// Limits of the number range, not tolerances: the noise is `rounding`, 7e-15, times the difference's reach, which so
 /// lies between 1e-26 and 2e54, and the squares of areas of that size, its fourth powers, between 1e-104 and 1e217.
 constexpr double least_noise = 1e-40, most_noise = 1e40;
 

@@ -1,9 +1,9 @@
 // The polytope that EPA expands inside the difference of two small hulls, its facets in blocks of eight. Only for
 // `*.kernel.cpp`.
 //
-// Guarantee: a closed surface, as of `Polytope`, until an expansion that would break it, which says so. Facets are
-// numbered alike at every level, and have the same bits. A block holds the facets around one point, and those that are
-// gone stay in it: there are few.
+// Guarantee: a closed surface, as that of `Polytope`, until an expansion that would break it, which returns false.
+// Facets have equal numbers and equal bits at every level. A block holds the facets around one point; removed ones stay
+// in it, since there are few.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// The least of all lanes, by halves.
+/// The smallest of all lanes, by halves.
 template <class T, int N>
 [[gnu::always_inline]] inline T least_lane(const Wide<T, N>& a) {
   if constexpr (N == 2) {
@@ -35,14 +35,14 @@ template <class T, int N>
   }
 }
 
-/// Of a table those that stand at the places told by bytes, the lowest first. The table has room for `picked_near`;
-/// none of the places lies beyond that unless `far`.
+/// The numbers of a table at the indices given by bytes, the lowest first. The table must have room for `picked_near`;
+/// no index is beyond that unless `far`.
 inline constexpr std::size_t picked_near = 16;
 [[gnu::always_inline]] inline Lanes<double> picked(const double* table, std::uint64_t places,
                                                    [[maybe_unused]] bool far) {
 #if defined(__AVX512F__)
   const __m512i at = _mm512_maskz_cvtepu8_epi64(0xff, _mm_cvtsi64_si128(static_cast<long long>(places)));
-  // By permutation: lanes that are set one by one wait for the memory.
+  // By permutation: lanes set one by one would wait for the memory.
   const __m512d found =
       far ? _mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, at, table, 8)
           : _mm512_maskz_permutex2var_pd(0xff, _mm512_loadu_pd(table), at, _mm512_loadu_pd(table + 8));
@@ -64,35 +64,36 @@ class LanePolytope {
 
   void begin(const SupportPoint* tetrahedron);
   bool has_room() const { return count_ < most_points && facets_ + most_horizon <= most_facets; }
-  /// The nearest facet that is not closed; when all are, one of those.
+  /// The nearest open facet; if all are closed, one of those.
   std::size_t nearest_open() const;
   bool open(std::size_t facet) const { return rank_[facet] != gone; }
-  /// Where a facet's plane stands along its normal.
+  /// The offset of a facet's plane along its normal.
   double offset(std::size_t facet) const { return offset_[facet]; }
   Vec3d normal(std::size_t facet) const { return {x_[facet], y_[facet], z_[facet]}; }
-  /// Outward, not of unit length: known sooner than the normal, for the support query that all else waits for.
+  /// The outward normal, not of unit length: available earlier than the unit normal, for the support query that all
+  /// else depends on.
   Vec3d outward(std::size_t facet) const { return {along_x_[facet], along_y_[facet], along_z_[facet]}; }
-  /// Never expanded from here on.
+  /// Closes a facet, which is never expanded from then on.
   void close(std::size_t facet);
-  /// Where the point is to be written that `expand` takes.
+  /// The storage of the point that `expand` takes.
   SupportPoint& next_point() { return point_[count_]; }
   /// Replaces all facets that see the new point, of which there are some, by a fan from their silhouette. False when
-  /// that cannot be done: what is left is no polytope.
+  /// that is impossible: the rest is then no polytope.
   bool expand();
   /// The two shapes' points where the ray from the origin along `direction` leaves. False when rounding lets the ray
-  /// miss every facet. `likely` is looked at first.
+  /// miss every facet. `likely` is tested first.
   bool witness(const Vec3d& direction, std::size_t likely, Vec3d& a, Vec3d& b) const;
 
  private:
   using Doubles = Lanes<double>;
   static constexpr std::size_t block = 8, lanes = static_cast<std::size_t>(Doubles::lanes);
   static constexpr std::size_t word = 64, most_facets = 4 * word, most_points = 40;
-  static constexpr std::size_t most_horizon = 2 * block;  // of hulls' points more are rare
-  /// Facets of no more than this, squared, have no area: a hundred digits less than those of hulls of some size.
+  static constexpr std::size_t most_horizon = 2 * block;  // larger ones are rare for hulls
+  /// Squared area below which a facet has none: a hundred digits less than for hulls of some size.
   static constexpr double least_area = 1e-200;
   static constexpr double gone = std::numeric_limits<double>::infinity();
 
-  /// Where points stand: a coordinate each, and the square of how far they lie from the origin.
+  /// Coordinates of the points, a column each, and their squared distances from the origin.
   struct Columns {
     static constexpr std::size_t room = 48;
     static_assert(room > most_points && room >= picked_near);
@@ -129,25 +130,24 @@ class LanePolytope {
 
   double noise_;
   std::size_t count_ = 0, facets_ = 0;
-  Doubles least_;  ///< of the ranks, lane by lane
+  Doubles least_;  ///< smallest ranks, by lane
   alignas(64) double x_[most_facets], y_[most_facets], z_[most_facets], offset_[most_facets];
   alignas(64) double along_x_[most_facets], along_y_[most_facets], along_z_[most_facets];
-  /// The square of the offset, with its sign: tells which facet is nearest, and is known sooner. Infinite if closed.
+  /// The signed square of the offset, by which facets are ordered, and available earlier. Infinite if closed.
   alignas(64) double rank_[most_facets];
-  std::uint8_t
-      vertex_[4 * most_facets];  ///< of edge 4 f + e the vertex that it begins at; counter-clockwise from outside
-  std::uint16_t across_[4 * most_facets];  ///< the same edge as the neighbour has it
+  std::uint8_t vertex_[4 * most_facets];   ///< of edge 4 f + e the starting vertex; counter-clockwise from outside
+  std::uint16_t across_[4 * most_facets];  ///< the same edge in the neighbour
   union {
-    SupportPoint point_[most_points + 1];  ///< in a union no zeros are written that nobody reads
+    SupportPoint point_[most_points + 1];  ///< in a union, so that no unread zeros are written
   };
   union {
     Columns column_;
   };
-  std::uint64_t seen_[most_facets / word];  ///< a bit a facet
-  // The horizon's edges: where they begin and end as the facets in front have them, and each as the facet behind has
-  // it; which of them begins at a vertex, and a bit for each vertex that one begins at.
+  std::uint64_t seen_[most_facets / word];  ///< a bit for each facet
+  // The horizon's edges: start and end as in the facets in front, and each edge as in the facet behind; the edge that
+  // begins at a vertex, and a bit for each vertex at which one begins.
   std::size_t horizon_ = 0;
-  std::uint64_t begun_ = 0, from_first_ = 0, to_first_ = 0;  ///< of the first block's edges also a byte each
+  std::uint64_t begun_ = 0, from_first_ = 0, to_first_ = 0;  ///< for the first block's edges also a byte each
   std::uint8_t from_[3 * most_facets], to_[3 * most_facets], begins_[most_points + 1];
   std::uint16_t outside_[3 * most_facets];
 };
@@ -175,7 +175,8 @@ void LanePolytope::begin(const SupportPoint* t) {
     set_planes(k, corners(from >> 8 * k), corners(to >> 8 * k), corners(last >> 8 * k));
 }
 
-/// Of as many facets as there are lanes. Those whose corners are one point have no area, and are never seen.
+/// Computes the planes of as many facets as there are lanes. Facets whose corners are one point have no area, and are
+/// never seen.
 void LanePolytope::set_planes(std::size_t to, const Corner& p, const Corner& q, const Corner& apex) {
   const Vec3<Doubles> product = cross(p.w - apex.w, q.w - apex.w);
   const Doubles area = dot(product, product);
@@ -202,7 +203,7 @@ void LanePolytope::set_planes(std::size_t to, const Corner& p, const Corner& q, 
 
 std::size_t LanePolytope::nearest_open() const {
   const Doubles nearest(least_lane(least_));
-  // Where it stands is looked for in a whole word's facets: no processor foresees in which of them.
+  // Its index is searched in a whole word's facets: a branch would be unpredictable.
   for (std::size_t first = 0; first < facets_; first += word) {
     std::uint64_t bits = 0;
     for (std::size_t i = first; i < facets_ && i < first + word; i += lanes)
@@ -219,7 +220,7 @@ void LanePolytope::close(std::size_t facet) {
   for (std::size_t i = 0; i < facets_; i += lanes) least_ = least(least_, Doubles::load(rank_ + i));
 }
 
-/// Notes which facets see a point, and drops them.
+/// Marks the facets that see a point, and drops them.
 void LanePolytope::remove_seen(const Vec3d& w) {
   const Vec3<Doubles> point{Doubles(w.x), Doubles(w.y), Doubles(w.z)};
   const Doubles noise(noise_);
@@ -242,8 +243,8 @@ void LanePolytope::remove_seen(const Vec3d& w) {
   least_ = all_least;
 }
 
-/// The edges between what has been seen and what has not. False where two begin at one vertex, and where there are more
-/// than there is room for.
+/// Finds the edges between seen and unseen facets. False where two begin at one vertex, and where there are more than
+/// the storage holds.
 bool LanePolytope::find_horizon() {
   std::size_t n = 0;
   std::uint64_t begun = 0, twice = 0, from_first = 0, to_first = 0;
@@ -295,7 +296,7 @@ bool LanePolytope::expand() {
   return join_fan(first, apex);
 }
 
-/// Of the facets from `first` on, one an edge of the horizon. False where that is not one loop.
+/// Joins the facets from `first` on, one for each edge of the horizon. False where the horizon is not one loop.
 bool LanePolytope::join_fan(std::size_t first, std::size_t apex) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < horizon_; ++i) {
@@ -312,7 +313,8 @@ bool LanePolytope::join_fan(std::size_t first, std::size_t apex) {
   return true;
 }
 
-/// Where the ray meets a facet, if that is better than the best so far by its smallest barycentric coordinate there.
+/// Intersects the ray with a facet, and takes the points if the smallest barycentric coordinate there is larger than
+/// `best`.
 double LanePolytope::pierce(std::size_t facet, const Vec3d& direction, Vec3d& a, Vec3d& b, double best) const {
   const SupportPoint &p = point_[vertex_[edge_of(facet, 0)]], &q = point_[vertex_[edge_of(facet, 1)]],
                      &r = point_[vertex_[edge_of(facet, 2)]];
@@ -332,7 +334,7 @@ bool LanePolytope::witness(const Vec3d& direction, std::size_t likely, Vec3d& a,
   double best = -gone;
   if (offset_[likely] != gone) best = pierce(likely, direction, a, b, best);
   if (best > 0) return true;
-  // Facets seen edge-on say nothing where the origin lies in their plane.
+  // Facets seen edge-on are no hits where the origin lies in their plane.
   for (std::size_t f = 0; f < facets_; ++f)
     if (offset_[f] != gone && dot(normal(f), direction) > 0.9) best = pierce(f, direction, a, b, best);
   return best >= 0;

@@ -1,19 +1,20 @@
-// Whether two cores come within reach of each other, by portal refinement (Snethen 2008, "XenoCollide: complex
-// collision made simple", Game Programming Gems 7): for many pairs at a time, since a step is a support query and a few
-// dozen operations without a case to tell apart, where GJK's simplex has fifteen. `S` is a lane type of float's.
+// Overlap test of two cores by Minkowski portal refinement (Snethen 2008, "XenoCollide: complex collision made simple",
+// Game Programming Gems 7): for many pairs at a time, since a step is a support query and a few dozen operations
+// without cases, where GJK's simplex has fifteen. `S` is a lane type of float's.
 //
-// The difference D = B - A, rounded by the reach, has the origin in it or not. A tetrahedron of four points of D, the
-// first its `inside`, the others the portal, is moved until the origin's ray from the inside goes through the portal,
-// and the portal is then pushed outwards until the origin lies behind it, or before a plane that D lies behind.
+// The test is whether the difference D = B - A, rounded by the reach, contains the origin. A tetrahedron of four points
+// of D, the first its `inside`, the others the portal, is moved until the ray from the inside to the origin goes
+// through the portal, and the portal is then pushed outwards until the origin lies behind it, or in front of a plane
+// that D lies behind.
 //
-// Guarantee: what it says is proven. All lengths are in units of the pair's size, so that no point of D is further than
-// 1 from the way between the origins. A support point along n and its height along n come of some fifty operations on
+// Guarantee: every answer is proven. All lengths are in units of the pair's size, so that no point of D is further than
+// 1 from the line between the origins. A support point along n and its height along n come of some fifty operations on
 // numbers of that size, each right within float's 2^-24: its height is the greatest of D along n within some hundred
-// such roundings. `portal_slack` is three times that. A gap is one where the height says so by more than the slack, and
-// the origin is held where it is deeper than the slack inside all four sides of the tetrahedron, which the rounding of
-// its corners cannot undo. Where the two origins are further apart than 2 the roundings grow in proportion, but there
-// every claim of a gap is right, and a claim of the contrary would have to be wrong by half the way. Whatever cannot be
-// proven after `portal_steps`, and what float's range does not hold, is told to be unknown.
+// such roundings. `portal_slack` is three times that. The cores are apart where the height shows a gap of more than the
+// slack, and the origin is inside where it is deeper than the slack inside all four sides of the tetrahedron, which the
+// rounding of its corners cannot undo. Where the two origins are further apart than 2 the roundings grow in proportion,
+// but there every reported gap is right, and a reported overlap would have to be wrong by half the distance. Pairs not
+// proven after `portal_steps`, or out of float's range, are unknown.
 #pragma once
 
 #include "graze/mat3.hpp"
@@ -24,10 +25,10 @@ namespace graze {
 
 inline constexpr float portal_slack = 2e-5f;
 
-/// Support queries a pair. Of random pairs of smooth shapes fewer than 1 in 100 want more.
+/// Support queries a pair. Among random pairs of smooth shapes fewer than 1 in 100 need more.
 inline constexpr int portal_steps = 14;
 
-/// The square of a vector shorter than this tells no direction in float: its own square is still a normal number.
+/// Squared length of a vector below which it gives no direction in float: its own square is still a normal number.
 inline constexpr float least_square = 1e-24f;
 
 template <class S>
@@ -36,26 +37,26 @@ S sum_of(const Vec3<S>& v) {
 }
 
 /// A sum of a box and an ellipsoid about the origin. The ellipsoid may be a ball of another size at the box's bottom
-/// than at its top, as a tapered capsule has, or a disc, as a cylinder has.
+/// than at its top, as in a tapered capsule, or a disc, as in a cylinder.
 template <class S>
 struct PortalSum {
   Vec3<S> half, radii;
-  S bottom, top;  ///< how many times as wide as `radii`
+  S bottom, top;  ///< scale of `radii` at the bottom and at the top
 
-  /// No point of it is further from the origin than that: a bound without squares, which float may not hold.
+  /// A bound of its points' distances from the origin without squares, which float may not hold.
   S size() const { return sum_of(half) + sum_of(radii); }
   void scale(const S& by) { half *= by, radii *= by; }
   Vec3<S> support(const Vec3<S>& d) const {
     const Vec3<S> v = scaled(radii, d);
     const S squared = length_squared(v), along = sqrt(squared);
     const auto up = half.y * d.y * S(2) + (top - bottom) * along >= S(0);
-    // So short a direction that nothing is round along it.
+    // So short a direction has no component along which the shape is round.
     const S share = select(squared > S(1e-35f), select(up, top, bottom) / along, S(0));
     const auto right = d.x >= S(0), front = d.z >= S(0);
     return scaled(radii, v) * share +
            Vec3<S>{select(right, half.x, -half.x), select(up, half.y, -half.y), select(front, half.z, -half.z)};
   }
-  /// A point of it, the origin shifted by these fractions of its extents, each below a quarter.
+  /// An inner point: the centre shifted by these fractions of its extents, each below a quarter.
   Vec3<S> inside(const Vec3<S>& fraction) const { return scaled(half + radii * least(bottom, top), fraction); }
 };
 
@@ -78,7 +79,7 @@ struct PortalPoints {
   }
 };
 
-/// D, rounded by `reach`, in A's frame.
+/// The difference D, rounded by `reach`, in A's frame.
 template <class A, class B, class S>
 struct PortalDifference {
   A a;
@@ -88,28 +89,29 @@ struct PortalDifference {
   S reach;
   bool round;  ///< whether the reach is more than 0 in any lane
 
-  /// The point furthest along n.
+  /// The support point along n.
   Vec3<S> support(const Vec3<S>& n) const {
     const Vec3<S> core = turn * b.support(transposed_times(turn, n)) + way - a.support(-n);
     if (!round) return core;
     const S squared = length_squared(n);
     return core + n * select(squared > S(least_square), reach / sqrt(squared), S(0));
   }
-  /// Not the way between the centres: where shapes stand in line the origin would lie on the tetrahedron's edges.
+  /// An inner point, not the difference of the centres: for shapes in line the origin would lie on the tetrahedron's
+  /// edges.
   Vec3<S> inside() const {
     const Vec3<S> of_a{S(0.11f), S(0.07f), S(-0.13f)}, of_b{S(-0.05f), S(0.09f), S(0.08f)};
     return turn * b.inside(of_b) + way - a.inside(of_a);
   }
 };
 
-/// Lanes in which the cores are apart and in which they come within reach: in the others it is not known.
+/// Lanes in which the cores are apart and lanes in which they come within reach; the others are unknown.
 template <class S>
 struct PortalAnswer {
   typename S::Mask apart, touching;
 };
 
 /// Whether the origin is deeper than the slack inside the side p, q, r of a tetrahedron whose fourth corner is
-/// `opposite`. Measured by the lengths of the side's edges, since those are what its normal's rounding is relative to.
+/// `opposite`. Measured by the lengths of the side's edges, to which the rounding of its normal is relative.
 template <class S>
 auto holds_origin(const Vec3<S>& p, const Vec3<S>& q, const Vec3<S>& r, const Vec3<S>& opposite) {
   const Vec3<S> u = q - p, v = r - p, normal = cross(u, v);
@@ -124,7 +126,7 @@ PortalAnswer<S> portal_overlap(const D& difference) {
   using Mask = typename S::Mask;
   const auto none = S(0) < S(0);
   PortalAnswer<S> answer{none, none};
-  // All of D is behind the plane through its furthest point along n, and the origin before it.
+  // Whether the origin is in front of the plane through D's furthest point along n, behind which all of D lies.
   const auto before = [](const Vec3<S>& n, const Vec3<S>& furthest) {
     const S height = dot(n, furthest), squared = length_squared(n);
     return (height < S(0)) & (height * height > S(portal_slack * portal_slack) * squared) & (squared > S(least_square));
@@ -143,7 +145,7 @@ PortalAnswer<S> portal_overlap(const D& difference) {
   Vec3<S> r = q;
   Mask open = !answer.apart, portal = none, behind = none;  // `portal`: the ray goes through it
   for (int step = 2; step < portal_steps && any(open); ++step) {
-    // Along the normal of the portal, or of the plane through the inside, p and q until there is one.
+    // Along the normal of the portal, or, before there is one, of the plane through the inside, p and q.
     const Vec3<S> from = select(portal, p, inside);
     n = cross(select(portal, q, p) - from, select(portal, r, q) - from);
     const S ahead = dot(n, from);
@@ -154,7 +156,7 @@ PortalAnswer<S> portal_overlap(const D& difference) {
     behind = behind | in;
     answer.apart = answer.apart | (out & !in);
     open = open & !(in | out);
-    // On which side of the planes through the inside, the point found and p, q, or r the origin lies.
+    // The sides of the planes through the inside, the point found and p, q, or r on which the origin lies.
     const Vec3<S> across = cross(found, inside);
     const auto of_p = dot(p, across) > S(0), of_q = dot(q, across) > S(0), of_r = dot(r, across) > S(0);
     const auto against_p = dot(p, across) < S(0);

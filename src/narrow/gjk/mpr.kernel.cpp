@@ -1,4 +1,4 @@
-// Whether pairs of any simple cores touch, a register of float's at a time.
+// Overlap tests of pairs of any simple cores, a register of float's at a time.
 #include "narrow/gjk/mpr.hpp"
 
 #include "narrow/batch/row_bundle.hpp"
@@ -13,7 +13,7 @@ using S = Lanes<float>;
 [[gnu::always_inline]] inline Vec3<S> vector_from(const PortalPairs::Column* columns, std::size_t first) {
   return {S::load(columns[0] + first), S::load(columns[1] + first), S::load(columns[2] + first)};
 }
-/// Rotations to float's precision, whatever the length of the numbers that they are given by.
+/// Rotations to float's precision, whatever the length of the given quaternions.
 [[gnu::always_inline]] inline Quat<S> turn_from(const PortalPairs::Column* columns, std::size_t first) {
   const Vec3<S> v = vector_from(columns, first);
   const S w = S::load(columns[3] + first), share = S(1) / sqrt(length_squared(v) + w * w);

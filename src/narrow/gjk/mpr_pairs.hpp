@@ -1,7 +1,7 @@
-// Pairs of cores as the kernel `mpr_overlaps` reads them: a column a number.
+// Pairs of cores as the kernel `mpr_overlaps` takes them: a column for each number.
 //
-// Guarantee: numbers are those of the shapes and poses, and the way between two the difference of these, each rounded
-// to float. Nothing is allocated.
+// Guarantee: numbers are those of the shapes and poses, and the offset between two the difference of these, each
+// rounded to float. Nothing is allocated.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,28 @@
 
 namespace graze {
 
-/// What a core is to the kernel.
+/// Kinds of cores for the kernel.
 enum class PortalSide : std::uint8_t {
-  sum,     ///< a box and an ellipsoid added up, about one centre
+  sum,     ///< the Minkowski sum of a box and an ellipsoid, about one centre
   points,  ///< the hull of three points, which may be the same
   none
 };
 
-/// So many pairs are asked about at a time, a multiple of all numbers of lanes.
+/// Number of pairs passed in at a time, a multiple of all numbers of lanes.
 inline constexpr std::size_t portal_chunk = 64;
 
 struct PortalPairs {
   using Column = float[portal_chunk];
 
-  /// The columns of a side: of a sum the half extents, the radii, and the greatest radius of the ellipsoid at the box's
-  /// bottom and at its top, of which one may be smaller than that of the radii; of points their coordinates.
+  /// The columns of a side: for a sum the half extents, the radii, and the greatest radius of the ellipsoid at the
+  /// box's bottom and at its top, of which one may be smaller than that of the radii; for points their coordinates.
   static constexpr std::size_t of_a = 0, of_b = 9;
-  /// The quaternions; the way from A's origin to B's, in the world; how near the cores have to come.
+  /// The quaternions; the offset from A's origin to B's, in the world; the distance that counts as touching.
   static constexpr std::size_t turn_a = 18, turn_b = 22, way = 26, reach = 29;
 
   Column column[30];
 
-  /// Fills up the lanes that are read with so many pairs: with the last of them.
+  /// Fills unused lanes up with the last of `count` pairs.
   void fill_up(std::size_t count) {
     constexpr std::size_t most_lanes = 16;
     for (Column& numbers : column)
@@ -43,12 +43,12 @@ struct PortalPairs {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// Whether up to `portal_chunk` pairs, filled up, touch: 1 or 0, or 2 where that is not proven.
+    /// Tests up to `portal_chunk` pairs, filled up, for overlap: 1 or 0, or 2 where that is not proven.
     template <PortalSide A, PortalSide B> void mpr_overlaps(const PortalPairs& pairs, std::size_t count,
                                                                std::uint8_t* touch);)
 // clang-format on
 
-/// The place of a pair in the columns from a first one on.
+/// The entry of a pair in the columns from a first one on.
 struct PortalPlace {
   PortalPairs::Column* columns;
   std::size_t place;
@@ -65,7 +65,7 @@ struct PortalPlace {
   void put(const Quat<T>& q) const {
     put(0, q.vector()), put(3, q.w);
   }
-  /// Along Y, with a disc or a ball at each end.
+  /// Puts a core along Y, with a disc or a ball at each end.
   template <class T>
   void put_axis(T half, T bottom, T top, bool disc) const {
     const T wide = greatest(bottom, top);

@@ -1,8 +1,8 @@
-// Observers of GJK and EPA: the iterations are templates over one and show it each step.
+// Observers of GJK and EPA: the iterations are templates over one and pass it each step.
 //
-// Guarantee: `Unobserved`, which every answer is found with, is empty and costs nothing. An observer sees the
-// iterations and has no say in them, but that one that observes is also shown the steps of a search that could have
-// ended at the first support point.
+// Guarantee: `Unobserved`, used for every answer, is empty and costs nothing. An observer has no influence on the
+// iterations, except that one that observes also receives the steps of a search that could have ended at the first
+// support point.
 #pragma once
 
 #include "graze/vec3.hpp"
@@ -13,8 +13,8 @@ namespace graze {
 struct Unobserved {
   static constexpr bool observes = false;
 
-  /// An iteration of GJK: the simplex with the point just found as its last, the unit vector along which that was
-  /// found, and the bounds of the distance that are known now.
+  /// An iteration of GJK: the simplex with the new point as its last, the unit vector along which that was found, and
+  /// the present bounds of the distance.
   template <class Simplex>
   void gjk_step(const Simplex&, const Vec3d& /*direction*/, double /*lower*/, double /*upper*/) const {}
   /// An expansion of EPA's polytope: normal (from A to B) and depth of the facet nearest to the origin, and the point
@@ -22,7 +22,7 @@ struct Unobserved {
   template <class Polytope>
   void expansion(const Vec3d& /*normal*/, double /*facet_depth*/, double /*found_depth*/, const SupportPoint&,
                  const Polytope&) const {}
-  /// EPA's polytope as it was left.
+  /// EPA's final polytope.
   template <class Polytope>
   void final_polytope(const Polytope&) const {}
 };

@@ -47,8 +47,8 @@ std::uint16_t Polytope::add_facet(std::uint16_t i, std::uint16_t j, std::uint16_
   Facet& f = facets_[slot];
   const Vec3d &a = vertices_[i].w, &b = vertices_[j].w, &c = vertices_[k].w;
   f.normal = unit(cross(b - a, c - a), Vec3d{});
-  // The vertex nearest to the origin has the smallest coordinates, and so the smallest rounding error. Which one that
-  // is no processor foresees: numbers are chosen without a branch.
+  // The vertex nearest to the origin has the smallest coordinates, and so the smallest rounding error. It is
+  // unpredictable which one: numbers are chosen without a branch.
   const double la = squared_[i], lb = squared_[j], lc = squared_[k];
   std::size_t nearest = lb < la ? j : i;
   nearest = lc < least(la, lb) ? k : nearest;
@@ -143,7 +143,7 @@ std::size_t Polytope::live_count() const {
   return static_cast<std::size_t>(std::count_if(facets_.begin(), facets_.end(), [](const Facet& f) { return f.live; }));
 }
 
-/// Whether the ray meets the facet better than the best so far, by its smallest barycentric coordinate there.
+/// Whether the ray hits the facet with a smallest barycentric coordinate larger than the best so far.
 bool Polytope::pierce(const Facet& f, const Vec3d& direction, double& best, Vec3d& a, Vec3d& b) const {
   const SupportPoint &p = vertices_[f.vertex[0]], &q = vertices_[f.vertex[1]], &r = vertices_[f.vertex[2]];
   double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)), w = dot(direction, cross(p.w, q.w));
@@ -160,7 +160,7 @@ bool Polytope::pierce(const Facet& f, const Vec3d& direction, double& best, Vec3
 }
 
 double Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const {
-  // Exactly one holds it but for rounding.
+  // Exactly one facet is hit but for rounding.
   double best = -std::numeric_limits<double>::infinity();
   for (const Facet& f : facets_)
     if (f.live && dot(f.normal, direction) > facing) pierce(f, direction, best, a, b);
@@ -171,8 +171,8 @@ bool Polytope::witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Ve
   double best = -std::numeric_limits<double>::infinity();
   if (likely && likely->live && likely->normal == direction && pierce(*likely, direction, best, a, b) && best > 0)
     return true;
-  // Facets seen edge-on say nothing where the origin lies in their plane: only what faces the ray counts as a hit, and
-  // the others are there so that some points are returned.
+  // Facets seen edge-on are no hits where the origin lies in their plane: only facets that face the ray count, and the
+  // others serve to return some points.
   const double missed = pierce(direction, 0.9, a, b);
   if (missed == -std::numeric_limits<double>::infinity()) pierce(direction, 0.0, a, b);
   return missed >= 0;
@@ -208,7 +208,7 @@ double Polytope::inner_radius(double enough) const {
   for (const Facet& f : facets_) {
     if (!f.live) continue;
     double known = least_along(f, f.normal);
-    // A sliver has a normal of rounding, and lies in the planes of its neighbours as well as in its own.
+    // A sliver's normal is mere rounding; the sliver lies in the planes of its neighbours as well as in its own.
     for (std::size_t i = 0; i < 3 && known < radius; ++i)
       known = greatest(known, least_along(f, facets_[f.neighbor[i]].normal));
     radius = least(radius, known);

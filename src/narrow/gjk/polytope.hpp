@@ -21,7 +21,7 @@ struct Facet {
   bool live;
 };
 
-/// What is found instead of a tetrahedron when the difference is flat: its normal separates the cores at no depth.
+/// The result for a flat difference, which has no tetrahedron: its normal separates the cores at zero depth.
 struct Flat {
   bool is = false;
   Vec3d normal, a, b;
@@ -30,7 +30,7 @@ struct Flat {
 
 class Polytope {
  public:
-  /// `noise`: how far a point may lie from a plane by rounding alone.
+  /// `noise`: distance of a point from a plane by rounding alone.
   explicit Polytope(double noise) : noise_(noise) {}
 
   /// Grows `start` (one to four points) to a tetrahedron by support queries of the difference.
@@ -40,20 +40,23 @@ class Polytope {
   /// Replaces all facets that see the new point by a fan from their silhouette. False when that cannot be done.
   bool expand(const Facet& seen_first, const SupportPoint& point);
 
-  /// The nearest facet that is not closed, or none. Costs a comparison a facet.
+  /// The nearest open facet, or none. Costs a comparison a facet.
   const Facet* nearest_open() const;
-  /// Never expanded: known to lie on the boundary of the difference, or as good as that.
+  /// Closes a facet, which is never expanded from then on: it is known to lie on the boundary of the difference, or
+  /// nearly.
   void close(const Facet& facet) { open_[static_cast<std::size_t>(&facet - facets_.begin())] = closed; }
   std::size_t live_count() const;
 
   /// The two shapes' points where the ray from the origin along `direction` leaves the polytope. False when rounding
-  /// lets the ray miss every facet: they are then those of the facet that it misses least. `likely` is looked at first.
+  /// lets the ray miss every facet: the points are then those of the facet that it misses least. `likely` is tested
+  /// first.
   bool witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Vec3d& b) const;
-  /// The two shapes' points nearest to a point of the difference's boundary that no facet's ray tells well: a sliver's
-  /// barycentric coordinates are rounding. Costs a comparison a facet, and a nearest point for the few that are near.
+  /// The two shapes' points nearest to a point of the difference's boundary that no facet's ray determines well: a
+  /// sliver's barycentric coordinates are mere rounding. Costs a comparison a facet, and a nearest point for the few
+  /// that are near.
   void nearest_witness(const Vec3d& target, Vec3d& a, Vec3d& b) const;
-  /// A ball about the origin of this radius lies inside, or of `enough` if it is smaller. Holds whatever rounding did
-  /// to the planes: no point of a triangle is nearer to the origin than the least of its vertices along any unit
+  /// The radius of a ball about the origin inside the polytope, or `enough` if that is smaller. Holds whatever rounding
+  /// did to the planes: no point of a triangle is nearer to the origin than the least of its vertices along any unit
   /// vector.
   double inner_radius(double enough) const;
 
@@ -67,7 +70,7 @@ class Polytope {
   static constexpr double closed = std::numeric_limits<double>::infinity();
 
   struct HorizonEdge {
-    std::uint16_t from, to, outside;  ///< the edge as the facet behind it, `outside`, has it reversed
+    std::uint16_t from, to, outside;  ///< the edge reversed, as in the facet behind it, `outside`
     std::uint8_t outside_edge;
   };
 
@@ -83,16 +86,16 @@ class Polytope {
 
   double noise_;
   FixedVector<SupportPoint, max_vertices> vertices_;
-  FixedVector<double, max_vertices> squared_;  ///< their squared distances
+  FixedVector<double, max_vertices> squared_;  ///< squared distances of the vertices
   FixedVector<Facet, max_facets> facets_;
-  FixedVector<double, max_facets> open_;  ///< their offsets, or `closed`
+  FixedVector<double, max_facets> open_;  ///< offsets of the facets, or `closed`
   FixedVector<HorizonEdge, max_facets> horizon_;
   FixedVector<std::uint16_t, max_facets> seen_, free_;
 };
 
 namespace detail {
 
-/// The support point of largest distance from what the simplex spans already, of the given directions.
+/// The support point, among those of the given directions, of largest distance from the span of the simplex.
 template <class Difference, class Measure>
 SupportPoint furthest_support(const Difference& difference, std::span<const Vec3d> directions, const Measure& measure) {
   SupportPoint best{};
@@ -117,8 +120,8 @@ Flat Polytope::begin(const Difference& difference, const Simplex& start) {
     return {};
   }
   Simplex s = start;
-  // Of all supports, the one that separates most along `n` or `-n`: a flat difference has about no extent there.
-  // What GJK found carries the witnesses: it lies at the origin within rounding.
+  // The direction, `n` or `-n`, whose support point separates most: a flat difference has about no extent there. The
+  // witnesses come from GJK's simplex, which lies at the origin within rounding.
   const auto flat = [&](const Vec3d& n) {
     const double above = dot(difference.support(n).w, n), below = -dot(difference.support(-n).w, n);
     return Flat{true, above >= below ? n : -n, start.point_a(), start.point_b(), -greatest(above, below)};

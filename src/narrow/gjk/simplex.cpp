@@ -7,29 +7,29 @@ namespace graze {
 
 namespace {
 
-/// A triangle whose normal is shorter than this, relative to the square of its vertices' distance from the origin,
-/// tells beyond which of its edges the origin lies with fewer than eight digits: then all three are tried.
+/// Length of a triangle's normal, relative to the square of its vertices' distance from the origin, below which it
+/// decides with fewer than eight digits beyond which of its edges the origin lies: then all three are tried.
 constexpr double slender = 1e-8;
 
-/// The vertices of a simplex as they are.
+/// The vertices of a simplex, unchanged.
 struct Vertices {
   const Simplex& simplex;
   const Vec3d& w(std::size_t i) const { return simplex.w(i); }
 };
 
-/// The same in twice the digits, in a unit near their size.
+/// The vertices of a simplex in twice the digits, in a unit near their size.
 struct ExactVertices {
   Vec3<Extended<double>> at[4];
   const Vec3<Extended<double>>& w(std::size_t i) const { return at[i]; }
 };
 
-/// What is nearest of what has been tried. `Points` has vertices of the scalar S.
+/// The nearest of the features tried so far. `Points` has vertices of the scalar S.
 template <class S, class Points>
 class Search {
  public:
   using Vec = Vec3<S>;
 
-  /// Writes into `best`, which is empty: a copy would wait for what was written last.
+  /// Writes into `best`, which must be empty: a copy would wait for the last stores.
   Search(const Points& s, NearestOf<S>& best) : s_(s), best_(best) {}
 
   void vertex(std::size_t i) {
@@ -47,10 +47,10 @@ class Search {
     if (!(along > S(0))) return vertex(i);
     if (along >= whole) return vertex(j);
     const S t = along / whole;
-    // From the end that is nearer: the error of t then is multiplied by the shorter piece.
+    // From the nearer end: the error of t then is multiplied by the shorter part.
     const Vec near = t < S(0.5) ? p + d * t : q - d * (S(1) - t);
-    // What rounding left along the edge is large beside a point near the origin. Taken off once more, the direction of
-    // the point is at right angles to the edge in all its digits.
+    // The rounding error along the edge is large relative to a point near the origin. With it subtracted once more, the
+    // direction of the point is perpendicular to the edge in all its digits.
     if (!nearer(near - d * (dot(near, d) / whole))) return;
     best_.size = 2;
     best_.index = {narrow(i), narrow(j)};
@@ -63,7 +63,7 @@ class Search {
   }
 
   void tetrahedron() {
-    const Vec& p = s_.w(3);  // in GJK the newest, at which the nearest of the others lies
+    const Vec& p = s_.w(3);  // in GJK the newest vertex, next to which the nearest of the other features lies
     const Vec a = s_.w(0) - p, b = s_.w(1) - p, c = s_.w(2) - p;
     const Vec ab = cross(a, b), bc = cross(b, c), ac = cross(a, c);
     const S volume = dot(ab, c);
@@ -80,8 +80,8 @@ class Search {
  private:
   static std::uint8_t narrow(std::size_t i) { return static_cast<std::uint8_t>(i); }
 
-  /// Whether the origin may lie on the other side of a tetrahedron's side than the fourth vertex, given its volume
-  /// times the origin's share and its own.
+  /// Whether the origin may lie on the other side of a tetrahedron's side than the fourth vertex, given the volume of
+  /// the tetrahedron with the origin, times its own.
   static bool outside(const S& origin, const S& inner) {
     return !(origin * inner > S(0)) && (!(origin == S(0)) || inner == S(0));
   }
@@ -89,9 +89,9 @@ class Search {
   /// A bit for each pair of vertices.
   static unsigned edge_bit(std::size_t i, std::size_t j) { return 1u << (i + j - (i == 0 || j == 0)); }
 
-  /// Takes the point of a triangle's inside that is nearest to the origin. Where there is none, notes beyond which of
-  /// its edges the origin lies: an edge or one of its ends is nearest only to that. Of the vertices i, j and k, u and v
-  /// are the ways from k to i and j, and `normal` is their product.
+  /// Takes the point inside a triangle that is nearest to the origin. Where there is none, marks the edges beyond which
+  /// the origin lies: an edge or one of its ends can be nearest only then. For the vertices i, j and k, u and v are the
+  /// vectors from k to i and j, and `normal` is their cross product.
   bool inside(std::size_t i, std::size_t j, std::size_t k, const Vec& u, const Vec& v, const Vec& normal) {
     const Vec& p = s_.w(k);
     const S area = dot(normal, normal);
@@ -112,7 +112,7 @@ class Search {
     return false;
   }
 
-  /// Tries the edges that have been noted.
+  /// Tries the marked edges.
   void edges() {
     static constexpr std::uint8_t ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
     for (; beyond_ != 0; beyond_ &= beyond_ - 1) {
@@ -131,7 +131,7 @@ class Search {
 
   const Points& s_;
   NearestOf<S>& best_;
-  unsigned beyond_ = 0;  ///< the edges noted
+  unsigned beyond_ = 0;  ///< the marked edges
 };
 
 template <class S, class Points>

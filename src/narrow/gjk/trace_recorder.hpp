@@ -1,4 +1,4 @@
-// The observer that writes the steps of GJK and EPA into a trace, in the frame of the iterations: that of A.
+// The observer that writes the steps of GJK and EPA into a trace, in the frame of the iterations, A's.
 #pragma once
 
 #include "graze/trace.hpp"

@@ -1,6 +1,6 @@
 // A point of contact added to those of a manifold.
 //
-// Guarantee: names are unique within a manifold, and no two of its points stand at one place.
+// Guarantee: features are unique within a manifold, and no two of its points are at one place.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace graze {
 
-/// Appends a point, unless one of the same features is known, or one at the same place: rounding splits a point in two
-/// where edges end about on a corner. Of the two the deeper is kept.
+/// Appends a point, unless there is one with the same features, or at the same place: rounding splits a point in two
+/// where edges end about on a corner. Keeps the deeper of the two.
 template <class T>
 void add_point(const ContactPoint<T>& point, T together, Manifold<T>& manifold) {
   for (ContactPoint<T>& known : manifold.points) {

@@ -21,10 +21,10 @@ struct Basis {
 /// A corner of a face with the edge that begins there.
 struct FlatEdge {
   Flat from;
-  double x, y, squared;  ///< the way to the next corner
-  std::uint32_t id;      ///< of the corner
+  double x, y, squared;  ///< the vector to the next corner
+  std::uint32_t id;      ///< number of the corner
 
-  /// Twice the area of the triangle with a point: positive where that lies to the left.
+  /// Twice the signed area of the triangle with a point: positive where that lies to the left.
   double left(const Flat& p) const { return x * (p.y - from.y) - y * (p.x - from.x); }
 };
 
@@ -59,7 +59,7 @@ class FlatFace {
     const Flat& first = edges_[0].from;
     return base_ + slope_x_ * (p.x - first.x) + slope_y_ * (p.y - first.y);
   }
-  /// Infinite of a vertex.
+  /// The squared length of the shortest edge; infinite for a vertex.
   double shortest_edge_squared() const {
     double shortest = std::numeric_limits<double>::infinity();
     if (size() > 1)
@@ -67,7 +67,7 @@ class FlatFace {
     return shortest;
   }
 
-  /// What of the face a point on it lies on, within `near`: a vertex, an edge or the face.
+  /// The feature of the face that a point on it lies on, within `near`: a vertex, an edge or the face.
   std::uint32_t feature(const Flat& p, double near) const {
     const std::size_t n = edges_.size();
     const FlatEdge* const edges = edges_.data();
@@ -77,7 +77,8 @@ class FlatFace {
         if (distance_squared(p, edges[i].from) <= near * near) return vertex_feature(edges[i].id);
       return edge_feature(edges[0].id, edges[1].id);
     }
-    // The first edge that it lies on, and whether it does on the next one or, where that is the first of all, the last.
+    // The first edge that it lies on, and whether it also lies on the next one or, where that is the first of all, the
+    // last.
     std::size_t first = n;
     bool on_next = false, on = false;
     for (std::size_t i = 0; i < n; ++i) {
@@ -114,9 +115,9 @@ class FlatFace {
   double base_, slope_x_ = 0, slope_y_ = 0;
 };
 
-/// Keeps what lies left of the line along an edge (Sutherland, Hodgman 1974, "Reentrant polygon clipping"), and of an
-/// edge what lies no further to the right than `beside`. Answers whether anything was to the right: `kept` is written
-/// only then.
+/// Keeps the part of an outline left of the line along an edge (Sutherland, Hodgman 1974, "Reentrant polygon
+/// clipping"); of a segment also a part no further to the right than `beside`. Returns whether anything was to the
+/// right: `kept` is written only then.
 bool cut(const Outline& subject, const FlatEdge& edge, bool closed, double beside, Outline& kept) {
   const std::size_t n = subject.size();
   const Flat* points = subject.data();
@@ -144,8 +145,8 @@ bool cut(const Outline& subject, const FlatEdge& edge, bool closed, double besid
   return true;
 }
 
-/// The ends of the stretch that two edges run along each other, each end on both: nothing unless they are parallel up
-/// to the lean that makes a face.
+/// Appends the ends of the stretch along which two edges overlap, each end on both: nothing unless the edges are
+/// parallel up to the lean that makes a face.
 void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, double near, FaceContacts& contacts) {
   const double ax = a[1].x - a[0].x, ay = a[1].y - a[0].y, bx = b[1].x - b[0].x, by = b[1].y - b[0].y;
   const double la = ax * ax + ay * ay, lb = bx * bx + by * by, across = ax * by - ay * bx, along = ax * bx + ay * by;
@@ -167,7 +168,7 @@ void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, 
   to < 1 ? add(point_of_a(to), b[high]) : add(a[1], point_of_b(a[1]));
 }
 
-/// A cut along side `i` of the face that cuts, for show.
+/// A cut along side `i` of the cutting face, for a trace.
 TraceCut told_cut(const FlatFace& clip, std::size_t i, const FlatFace& subject, const Outline& left,
                   const Basis& basis) {
   const auto on = [&](const FlatFace& face, const Flat& p) { return basis.point(p, face.height(p)); };

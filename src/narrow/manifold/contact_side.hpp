@@ -1,5 +1,5 @@
-// A shape as contacts look at it: its core's support points and faces in the frame of the pair, and where its rounded
-// surface lies over a place on a face.
+// A shape as contacts need it: its core's support points and faces in the frame of the pair, and the height of its
+// rounded surface over a place on a face.
 //
 // Guarantee: all in double; a place on the surface is exact to double's rounding, whatever the core.
 #pragma once
@@ -18,7 +18,7 @@ namespace graze {
 /// Newton's method begins close and doubles its digits: three steps are the rule.
 inline constexpr int newton_steps = 8;
 
-/// One of the two shapes, seen from the frame of A.
+/// One of the two shapes, in the frame of A.
 template <class T>
 class Side {
  public:
@@ -35,14 +35,14 @@ class Side {
 
   double radius() const { return radius_; }
   double size() const { return size_; }
-  /// Its faces are the same along whatever direction they are met.
+  /// Whether its faces are the same along whatever direction they are met.
   bool flat_sided() const { return flat_sided_; }
   bool round_side() const { return shape_.template as<Cylinder<T>>() != nullptr; }
 
   Vec3d core_support(const Vec3d& direction) const {
     return placed(ShapeCore<T>(shape_).core_support(transposed_times(turn_, direction)));
   }
-  /// The support face, leaning little from the direction; with `sides`, of a shape with flat sides the one that leans
+  /// The support face, which leans little from the direction; with `sides`, for a flat-sided shape the one that leans
   /// least.
   PlacedFace face(const Vec3d& direction, bool sides = false) const {
     Face<T> face;
@@ -60,7 +60,8 @@ class Side {
     for (const std::uint32_t id : face.ids) there.ids.push_back(id);
     return there;
   }
-  /// How far beyond a place on the face the surface lies, along the unit vector `outward`; nothing where it passes by.
+  /// The height of the surface over a place on the face, along the unit vector `outward`; nothing where the line misses
+  /// it.
   std::optional<double> rise(const RoundedFace& face, const Vec3d& from, const Vec3d& outward) const {
     const auto exit = face.exit(from);
     if (!exit) return std::nullopt;
@@ -71,8 +72,8 @@ class Side {
   Vec3d placed(const Vec3d& point) const { return turn_ * point + pose_.translation; }
 
   /// Newton's method on the distance to the core, which is convex along the line. A face of a curved core is a polygon
-  /// inscribed in the rim, or one line of the side, and the surface bulges out between their balls; of a hull, another
-  /// face may stand out beyond a sharp corner.
+  /// inscribed in the rim, or one generator of the side, and the surface bulges out between their balls; for a hull,
+  /// another face may protrude beyond a sharp corner.
   double around_core(const Vec3d& from, const Vec3d& outward, double rise) const {
     const Shape<T> point = Sphere<T>(T(0));
     const Vec3d local = transposed_times(turn_, from - pose_.translation), direction = transposed_times(turn_, outward);
@@ -90,7 +91,7 @@ class Side {
   Mat3d turn_;
   double radius_ = 0, size_ = 0;
   bool flat_sided_ = false;
-  bool whole_ = false;  ///< nothing of the rounded core stands out over the edges of its rounded face
+  bool whole_ = false;  ///< nothing of the rounded core protrudes over the edges of its rounded face
 };
 
 }  // namespace graze

@@ -1,7 +1,7 @@
-// The numbers of features: what of A and of B touches at a point of contact.
+// The numbers of features: the parts of A and of B that touch at a point of contact.
 //
-// Guarantee: a number names one vertex, edge or face of a shape of up to 16,384 parts. In larger ones numbers wrap,
-// which can only make two features that touch at the same time share a name.
+// Guarantee: a number is unique among the vertices, edges or faces of a shape of up to 16,384 of them. In larger ones
+// numbers wrap, with the sole effect that two features that touch at the same time may share a number.
 #pragma once
 
 #include <cstdint>
@@ -27,14 +27,14 @@ constexpr std::uint32_t edge_feature(std::uint32_t vertex, std::uint32_t other) 
 }
 constexpr std::uint32_t face_feature(std::uint32_t face) { return detail::feature_of_kind(3, face); }
 
-/// Kernels number the parts of a shape, which its features name, below this.
+/// Bound of the kernels' part numbers, which stand for a shape's features.
 inline constexpr std::size_t most_parts = 64;
 
 /// One number for the features of A and B that touch: a half each, so that swapping the shapes swaps the halves.
 constexpr std::uint32_t feature_id(std::uint32_t of_a, std::uint32_t of_b) { return (of_a << 16) | of_b; }
 constexpr std::uint32_t swapped_feature_id(std::uint32_t id) { return (id << 16) | (id >> 16); }
 
-/// The same point of contact with the shapes in each other's place.
+/// A point of contact with A and B exchanged.
 template <class T>
 ContactPoint<T> mirrored(const ContactPoint<T>& p) {
   return {p.b, p.a, p.distance, swapped_feature_id(p.feature), T(1) - p.weight};

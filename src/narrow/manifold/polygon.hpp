@@ -1,7 +1,7 @@
-// Outlines of the area in which two faces lie over each other, in the plane across their normal, and what is left of
-// one when corners that mean nothing are dropped.
+// Outlines of the area in which two faces overlap, in the plane normal to their contact normal, and their
+// simplification.
 //
-// Guarantee: what is dropped changes the area by no more than `spared_area` and the outline by no more than `near`; the
+// Guarantee: simplification changes the area by no more than `spared_area` and the outline by no more than `near`; the
 // deepest corner always stays.
 #pragma once
 
@@ -13,39 +13,40 @@
 
 namespace graze {
 
-/// How near a point must come to the edge of a face to be named after it, relative to the shortest edge at hand. Boxes
-/// stacked on each other have edges and corners in about the same place: which lies inside which changes from frame to
-/// frame by the rounding of a solver, and the names must not.
+/// Distance from a face's edge within which a point gets the edge's feature, relative to the shortest edge at hand.
+/// Boxes stacked on each other have edges and corners in about the same place: which lies inside which changes from
+/// frame to frame by the rounding of a solver, and features must not.
 inline constexpr double same_place = 1.0 / 100;
-/// How far beside a face an edge may lie that runs along its rim, relative to `same_place`: which side of the rim it
-/// lies on is rounding then, and may be another at each of its ends.
+/// Distance beside a face within which an edge counts as along its rim, relative to `same_place`: the side of the rim
+/// on which it lies is then mere rounding, and may differ at its two ends.
 inline constexpr double along_rim = 1e-8;
-/// How far a point may lie beside a sharp edge and count as on it, relative to the smaller shape: well below float's
+/// Distance beside a sharp edge within which a point counts as on it, relative to the smaller shape: well below float's
 /// tolerance, and far above the rounding of its poses.
 inline constexpr double on_surface = 1e-6;
-/// How far off a normal may be that was rounded to T: by so much times what lies between two faces a point of one is
-/// seen beside its place on the other.
+/// Error of a normal that was rounded to T: times the distance between two faces it displaces the projection of a point
+/// of one on the other.
 template <class T>
 inline constexpr double normal_rounding = 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
-/// How near two points must come to be one that rounding has split: squared, relative to `same_place`. In float the
-/// square of some roundings of an edge.
+/// Distance of two points that rounding has split within which they are one: squared, relative to `same_place`. In
+/// float the square of some roundings of an edge.
 template <class T>
 inline constexpr T same_point = T(1e-12);
 template <>
 inline constexpr float same_point<float> = 1e-8f;
-/// Two corners cost the same within this: several roundings of float, and far below what a difference in cost means.
+/// Relative difference within which two corners cost the same: several roundings of float, and far below a difference
+/// that matters.
 inline constexpr double same_cost = 1e-6;
-/// How much of the area that the faces share may be lost with corners that stand out by less than `same_place`.
+/// Part of the faces' common area that may be lost with corners that stand out by less than `same_place`.
 inline constexpr double spared_area = 1.0 / 40;
 
-/// A face that leans further than this from a direction (its cosine) is seen from the side: an edge or a vertex
-/// describes better what lies there. No corner of a box leans as far from all of its three faces.
+/// Largest lean of a face from a direction (its cosine) for the face to count; beyond that an edge or a vertex is
+/// taken, which describes better what lies there. No corner of a box leans as far from all of its three faces.
 inline constexpr double furthest_lean = 0.5;
 
-/// Faces laid over each other meet the separation along their axis within this many roundings of a coordinate.
+/// Roundings of a coordinate by which clipped faces may differ from the separation along their axis.
 inline constexpr double laid_slack = 64;
 
-/// Coordinates across the normal.
+/// Coordinates in the plane normal to the contact normal.
 template <class T>
 struct FlatPoint {
   T x, y;
@@ -68,9 +69,9 @@ auto twice_area(const Outline& outline) {
   return area;
 }
 
-/// Drops corners that stand out by less than `near` from the line between their neighbours, least area first, while no
-/// more than `spared_area` is lost: those of edges that about coincide. The deepest point always stays. `apart` tells
-/// of a place how far apart the faces are there.
+/// Removes corners that stand out by less than `near` from the line between their neighbours, least area first, while
+/// no more than `spared_area` is lost: those of edges that about coincide. The deepest point always stays.
+/// `apart(place)` returns the distance of the faces there.
 template <class Outline, class T, class Apart>
 void simplify(Outline& outline, T near, const Apart& apart) {
   if (outline.empty()) return;
@@ -96,7 +97,7 @@ void simplify(Outline& outline, T near, const Apart& apart) {
       const T lost = again ? T(0) : std::abs(cross(before, p, after));
       if (lost > budget || lost * lost > near * near * distance_squared(before, after) || (n == 2 && !again)) continue;
       if (least_corner < n) {
-        // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
+        // Both ends of a trapezoid's side cost the same: the shallower is removed, or rounding would choose.
         const bool same = std::abs(lost - least_lost) <= T(same_cost) * least_lost;
         if (same ? apart(p) <= apart(points[least_corner]) : lost > least_lost) continue;
       }

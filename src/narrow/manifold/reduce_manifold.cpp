@@ -1,4 +1,4 @@
-// Fewer points of a manifold: those that span most of it.
+// Reduction of a manifold to the points of largest area.
 
 #include "graze/contact.hpp"
 
@@ -12,7 +12,7 @@ class Span {
  public:
   explicit Span(const Vec3<T>& normal) : normal_(normal) {}
 
-  /// Twice the area that the polygon would gain by `p`; of a single point, the squared distance.
+  /// Twice the area that the polygon would gain by `p`; for a single point, the squared distance.
   T gain(const Vec3<T>& p) const {
     if (corners_.size() == 1) return across(p - corners_[0]);
     T most(0);
@@ -31,7 +31,7 @@ class Span {
 
  private:
   T across(const Vec3<T>& v) const { return length_squared(v - normal_ * dot(v, normal_)); }
-  /// How far `p` lies outside the side from corner i on, as twice an area.
+  /// Twice the area of the triangle of `p` and the side from corner i on, where `p` lies outside; else negative.
   T outside(std::size_t i, const Vec3<T>& p) const {
     const Vec3<T>& from = corners_[i];
     const Vec3<T> side = corners_[i + 1 == corners_.size() ? 0 : i + 1] - from;

@@ -6,8 +6,8 @@ namespace {
 
 constexpr double never = -std::numeric_limits<double>::infinity();
 
-/// Where the line leaves a ball about `center`. What is squared is the part across the line, so that a small ball far
-/// from `from` keeps its digits.
+/// The parameter at which the line leaves a ball about `center`. Squares only the part across the line, so that a small
+/// ball far from `from` keeps its digits.
 double leaves_ball(const Vec3d& from, const Vec3d& direction, const Vec3d& center, double radius) {
   const Vec3d to = from - center;
   const double along = dot(to, direction);
@@ -15,7 +15,8 @@ double leaves_ball(const Vec3d& from, const Vec3d& direction, const Vec3d& cente
   return half_squared >= 0 ? std::sqrt(half_squared) - along : never;
 }
 
-/// Where the line leaves the cylinder about an edge, between its ends only: the balls there are asked by themselves.
+/// The parameter at which the line leaves the cylinder about an edge, between its ends only: the balls there are
+/// separate.
 double leaves_cylinder(const Vec3d& from, const Vec3d& direction, const Vec3d& start, const Vec3d& end, double radius) {
   const Vec3d edge = end - start, to = from - start;
   const double squared = length_squared(edge);
@@ -44,8 +45,8 @@ std::optional<RoundedFace::Exit> RoundedFace::exit(const Vec3d& from) const {
   const std::size_t n = face_.vertices.size();
   double last = never;
   if (up_ > 0) {
-    // The plane bounds the whole face, so that where the foot lies inside nothing else is left later. Else the foot
-    // wanders from inside across some edges, and what is left last is one of those.
+    // The plane bounds the whole face: where the foot lies inside, nothing else is left later. Else the foot moves from
+    // inside across some edges, and the last surface is that of one of these.
     const double rise = (radius_ + dot(face_.vertices[0] - from, normal_)) / up_;
     const Vec3d foot = from + outward_ * rise - normal_ * radius_;
     bool inside = true;

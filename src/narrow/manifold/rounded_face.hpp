@@ -1,6 +1,6 @@
-// The surface of a face with a ball around each of its points, met by a line along the normal of contact.
+// The surface of a rounded face, the face plus a ball, intersected by a line along the contact normal.
 //
-// Guarantee: the point returned lies on the surface of the rounded face to double's rounding, whatever the face leans:
+// Guarantee: the returned point lies on the surface of the rounded face to double's rounding, whatever the face's lean:
 // over its inside on the plane that is offset by the radius, beyond that on the cylinder of an edge or the ball of a
 // vertex, whichever the line leaves last.
 #pragma once
@@ -13,15 +13,15 @@ namespace graze {
 
 class RoundedFace {
  public:
-  /// `outward` is the unit direction in which the lines leave: the normal of contact for A, its opposite for B.
+  /// `outward` is the unit direction in which the lines leave: the contact normal for A, its opposite for B.
   RoundedFace(const PlacedFace& face, const Vec3d& outward, double radius);
 
   struct Exit {
-    double rise;    ///< how far beyond `from`
+    double rise;    ///< distance from `from`
     bool on_plane;  ///< over the inside of the face
   };
-  /// Where the line from a place on the face (or beside an edge) leaves; nothing where it passes by. Costs a few
-  /// products over the inside, three roots for each edge that lies between it and the foot.
+  /// The point where the line from a place on the face (or beside an edge) leaves the surface; nothing where it misses.
+  /// Costs a few products over the inside, three roots for each edge that lies between it and the foot.
   std::optional<Exit> exit(const Vec3d& from) const;
 
  private:

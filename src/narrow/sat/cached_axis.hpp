@@ -1,4 +1,4 @@
-// Whether two shapes are still apart along a direction in which they once were.
+// Temporal coherence: whether two shapes are still apart along a direction that separated them before.
 //
 // Guarantee: true only where `contacts` within the same margin finds nothing; so it saves work and never changes an
 // answer. Two support queries.
@@ -8,7 +8,8 @@
 
 namespace graze {
 
-/// `axis` is a unit vector from A to B in the frame of A. Half-spaces have no support and are never found apart.
+/// `axis` is a unit vector from A to B in the frame of A. Half-spaces have no support function and are never found
+/// apart.
 template <class T>
 bool still_apart(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                  const Vec3<T>& axis, T margin) {
@@ -16,7 +17,7 @@ bool still_apart(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   const Vec3d n = converted<double>(axis);
   double radii = 0, size = 0;
   bool bounded = true;
-  /// The furthest point of a core along a direction, and what rounds it.
+  /// The extent of a core along a direction; adds up rounding radii.
   const auto reach = [&](const Shape<T>& shape, const Vec3d& direction) {
     return shape.visit([&](const auto& c) -> double {
       if constexpr (BoundedConvex<std::decay_t<decltype(c)>>) {
@@ -31,7 +32,7 @@ bool still_apart(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
     });
   };
   const double reach_a = reach(a, n), reach_b = reach(b, rotate(conjugate(b_in_a.rotation), -n));
-  // Twice the tolerance that an answer is right within, and the axis' own rounding in T.
+  // Twice the tolerance of an answer, and the axis' own rounding in T.
   const double slack =
       (2 * static_cast<double>(tolerance<T>) + 4 * static_cast<double>(std::numeric_limits<T>::epsilon())) *
       (size + max_abs(b_in_a.translation) + static_cast<double>(margin));

@@ -9,20 +9,20 @@
 
 namespace graze {
 
-/// Two edges whose product is shorter than this, relative to their lengths, are parallel: its direction is rounding.
-/// The facet that they leave out of the difference is as thin.
+/// Length of the product of two edges, relative to their lengths, below which they are parallel, since its direction is
+/// mere rounding. The facet that is then missing from the difference is as thin.
 inline constexpr double parallel_edges = 64 * std::numeric_limits<double>::epsilon();
 
 /// An edge in the frame of the pair.
 struct PlacedEdge {
-  Vec3d left, right;  ///< the normals of its faces
+  Vec3d left, right;  ///< normals of the two faces
   Vec3d along;        ///< from its first vertex to its second: left x right, but for its length
-  Vec3d point;        ///< the first
+  Vec3d point;        ///< the first vertex
 };
 
 /// The axis of two edges if A's arc, from its left to its right face, crosses the arc of -B's: unit, out of A; else,
-/// and of parallel edges, zero. Since an edge points along left x right, of the four determinants of the crossing test
-/// each is a dot product of an edge and a face normal.
+/// and for parallel edges, zero. Since an edge points along left x right, each of the four determinants of the crossing
+/// test is a dot product of an edge and a face normal.
 [[gnu::always_inline]] inline Vec3d crossing_normal(const PlacedEdge& a, const PlacedEdge& b) {
   const double left = dot(b.left, a.along), right = dot(b.right, a.along);
   if (!(left * right < 0)) return {};

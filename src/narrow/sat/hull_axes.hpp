@@ -1,9 +1,9 @@
-// The separating-axis test of two small polyhedra, on lanes within the pair: bounds for all faces and edges together,
-// then the vertices of one against each face of the other that is left.
+// The separating-axis test of two small polyhedra, with lanes within the pair: bounds for all faces and edges together,
+// then the vertices of one against each remaining face of the other.
 //
-// Guarantee: as `separating_axes.hpp`, but that axes worse than the best face's may be missing; the same bits at
-// every level of the instruction set. Lanes of float only tell, with all their rounding allowed for, which axes cannot
-// be the best; what is left is measured in double. For shapes in float, of which a float holds all sizes.
+// Guarantee: that of `separating_axes.hpp`, except that axes worse than the best face's may be missing; the same bits
+// at every level of the instruction set. Lanes of float only rule out axes that cannot be the best, with all their
+// rounding allowed for; the remaining ones are measured in double. For shapes in float, whose sizes a float holds.
 #pragma once
 
 #include "narrow/sat/separating_axis.hpp"
@@ -12,7 +12,7 @@
 
 namespace graze {
 
-/// A polyhedron with vertices, faces and edges by rows, as kernels read it.
+/// A polyhedron with vertices, faces and edges in rows, as kernels take it.
 struct FacetedHull {
   ScannedHull<float> corners;
   const FaceBlock* faces;
@@ -23,7 +23,7 @@ struct FacetedHull {
   InnerBall ball;
 };
 
-/// Of a hull that has facets.
+/// The view of a hull with facets.
 inline FacetedHull faceted(const HullData<float>& hull) {
   const FacetRows& rows = hull.facets;
   return {scanned(hull),
@@ -36,12 +36,12 @@ inline FacetedHull faceted(const HullData<float>& hull) {
           {rows.middle, rows.inner_radius}};
 }
 
-/// A vertex of one, in its own frame.
+/// A vertex of a polyhedron, in its own frame.
 [[gnu::always_inline]] inline Vec3d corner(const FacetedHull& hull, std::uint32_t vertex) {
   return converted<double>(hull.corners.vertices[vertex]);
 }
 
-/// Two of them, B turned and moved into A's frame.
+/// Two polyhedra, B rotated and moved into A's frame.
 struct FacetedPair {
   const FacetedHull &a, &b;
   Mat3d rotation;
@@ -50,8 +50,8 @@ struct FacetedPair {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// Writes to `axes`, which are new, the best ones; or one that separates them by more than `enough`. False where so
-    /// many edges may have the best that whoever finds the depth otherwise is sooner done, or sizes are beyond float.
+    /// Writes the best axes to `axes`, which must be new; or one that separates the polyhedra by more than `enough`.
+    /// False where so many edges may have the best axis that EPA is faster, or sizes are beyond float.
     bool hull_axes(const FacetedPair& pair, double enough, SeparatingAxes& axes);)
 // clang-format on
 

@@ -7,14 +7,15 @@ namespace graze::GRAZE_ISA {
 
 namespace {
 
-/// What rounding may do to a separation in float, relative to the two extents and the way between: a normal, a rotation
-/// and a vertex are each off by two roundings at most, and three products of each of the three sums add two and a half;
-/// times the root of three. Planes and inner balls of merged faces are off by eight each. All that and as much again.
+/// Rounding of a separation in float, relative to the two extents and the offset between the shapes: a normal, a
+/// rotation and a vertex are each off by two roundings at most, and three products of each of the three sums add two
+/// and a half; times the root of three. Planes and inner balls of merged faces are off by eight each. All that,
+/// doubled.
 constexpr float slack_of_lanes = 48 * std::numeric_limits<float>::epsilon();
 
-/// Limits of what floats hold, not tolerances. The smallest product that matters is the slack, 6e-6 of the size, times
-/// the size: of 1e-15 that is 6e-36, and floats keep their digits down to 1e-38. The largest is a sum of some squares:
-/// of 1e18, more than shapes and poses may have together, 1e37 of 3e38.
+/// Limits of floats, not tolerances. The smallest product that matters is the slack, 6e-6 of the size, times the size:
+/// for 1e-15 that is 6e-36, and floats keep their digits down to 1e-38. The largest is a sum of some squares: for 1e18,
+/// more than shapes and poses may have together, 1e37 of 3e38.
 constexpr double least_size = 1e-15, most_size = 1e18;
 
 [[gnu::always_inline]] inline PlacedEdge edge_of(const FacetedHull& hull, std::uint32_t edge) {
@@ -29,7 +30,7 @@ constexpr double least_size = 1e-15, most_size = 1e18;
           pair.rotation * e.point + pair.translation};
 }
 
-/// Edges by their numbers; room for one too many.
+/// Numbers of edges; with room for one more than allowed.
 struct EdgeList {
   std::uint32_t edges[most_promising + 1];
   std::size_t count;
@@ -74,7 +75,7 @@ struct EdgeList {
     seen_b = seen;
   };
 
-  // The two faces that the other's middle lies furthest in front of.
+  // The two faces that the other's inner ball lies furthest in front of.
   const std::uint32_t first_a = of_a.bound_faces(), first_b = of_b.bound_faces();
   const float of_first_a = of_a.separation(first_a), of_first_b = of_b.separation(first_b);
   float most = greatest(of_first_a, of_first_b);
@@ -85,7 +86,7 @@ struct EdgeList {
       keep_face_of_b(first_b);
     if (axes.best_face().separation > enough) return true;
   }
-  // All that may do as well.
+  // All faces that may be equally good.
   most = of_a.measure(most - slack, most);
   most = of_b.measure(most - slack, most);
   of_a.visit_measured(most - slack, keep_face_of_a);

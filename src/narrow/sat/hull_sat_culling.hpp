@@ -1,7 +1,7 @@
-// The faces and edges of one small polyhedron against another: which may have the best separating axis, by lanes. Only
-// for `*.kernel.cpp`.
+// Culling of separating axes across lanes: the faces and edges of one small polyhedron that may have the best axis
+// against another. Only for `*.kernel.cpp`.
 //
-// Guarantee: all that lanes of float decide is that an axis cannot be the best, with their rounding allowed for.
+// Guarantee: lanes of float only rule out axes that cannot be the best, with their rounding allowed for.
 #pragma once
 
 #include "narrow/sat/hull_axes.hpp"
@@ -10,25 +10,25 @@
 
 namespace graze::GRAZE_ISA {
 
-/// Edges of one polyhedron that may have the best axis, up to which their pairs cost less than EPA.
+/// Number of one polyhedron's edges that may have the best axis, up to which their pairs cost less than EPA.
 inline constexpr std::size_t most_promising = 16;
 
-/// Where a face stands to the other polyhedron.
+/// Position of a face relative to the other polyhedron.
 struct FaceSeen {
   double separation;
-  Vec3d nearest;  ///< the other's vertex, in the face's frame
-  Vec3d vertex;   ///< one of the face, in the other's frame
+  Vec3d nearest;  ///< the nearest vertex of the other, in the face's frame
+  Vec3d vertex;   ///< a vertex of the face, in the other's frame
 };
 
 class HullSatCulling {
  public:
-  /// `turn` turns directions from the other's frame into its own, where `apart` is the other's origin. `slack`: what
-  /// rounding may do to a separation in float.
+  /// `turn` rotates directions from the other's frame into its own, where `apart` is the other's origin. `slack`:
+  /// rounding of a separation in float.
   [[gnu::always_inline]] HullSatCulling(const FacetedHull& own, const FacetedHull& other, const Mat3d& turn,
                                         const Vec3d& apart, float slack)
       : own_(own), other_(other), turn_(turn), apart_(apart), slack_(slack) {}
 
-  /// For each face how far the other's inner ball lies in front of it: its separation is no more. Returns the face of
+  /// Bounds the separation of each face by the distance of the other's inner ball in front of it. Returns the face with
   /// the largest.
   [[gnu::always_inline]] std::uint32_t bound_faces() {
     const Vec3<L> middle = converted<L>(converted<float>(turn_ * converted<double>(other_.ball.middle) + apart_));
@@ -50,12 +50,12 @@ class HullSatCulling {
     return first_bit(faces_from(largest(most)));
   }
 
-  /// How far the other lies in front of a face, but for rounding.
+  /// The separation of the other in front of a face, in float.
   [[gnu::always_inline]] float separation(std::uint32_t face) {
     known_ |= std::uint32_t{1} << face;
     return other_.corners.count > VertexBlock::size ? -deepest<2>(face) : -deepest<1>(face);
   }
-  /// The separations of the faces whose bound is not less than `level`, and the largest of them and `most`.
+  /// Measures the faces whose bound is not less than `level`. Returns the largest of their separations and `most`.
   [[gnu::always_inline]] float measure(float level, float most) {
     measured_ = faces_from(level);
     for (std::uint32_t left = measured_; left != 0; left &= left - 1) {
@@ -65,7 +65,7 @@ class HullSatCulling {
     }
     return most;
   }
-  /// Calls `f` for those measured whose separation is not less than `level`.
+  /// Calls `f` for the measured faces whose separation is not less than `level`.
   template <class F>
   [[gnu::always_inline]] void visit_measured(float level, F&& f) const {
     for (std::uint32_t left = measured_; left != 0; left &= left - 1)
@@ -73,7 +73,7 @@ class HullSatCulling {
   }
 
   const Vec3d& normal(std::uint32_t face) const { return own_.planes[face].normal; }
-  /// In double.
+  /// The position of a face, in double.
   [[gnu::always_inline]] FaceSeen see(std::uint32_t face) const {
     const Plane<double>& plane = own_.planes[face];
     const std::uint32_t nearest = scan(other_.corners, transposed_times(turn_, -plane.normal));
@@ -82,9 +82,9 @@ class HullSatCulling {
     return {signed_distance(plane, at), at, transposed_times(turn_, corner(own_, vertex) - apart_)};
   }
 
-  /// Lists the edges on whose arcs an axis may show a separation of more than `level`: their number, or one more than
-  /// `most_promising`, for which there is room. `vertex` is one of the other's. What is done next is decided once for
-  /// all of them and never edge by edge, since which edges are left is anybody's guess.
+  /// Lists the edges on whose arcs an axis may show a separation of more than `level`. Returns their number, or one
+  /// more than `most_promising`, for which there is room. `vertex` is one of the other's. Branches are taken once for
+  /// all of them and never edge by edge, since the remaining edges are unpredictable.
   [[gnu::always_inline]] std::size_t promising_edges(float level, const Vec3d& vertex, std::uint32_t* edges) {
     constexpr std::size_t most_tested = 2 * most_promising;
     std::uint32_t tested[most_tested];
@@ -124,14 +124,14 @@ class HullSatCulling {
     const std::size_t k = i % FaceBlock::size;
     return {{L::load(block.x + k), L::load(block.y + k), L::load(block.z + k)}, L::load(block.offset + k)};
   }
-  /// The faces whose bound is not less than `level`, by bits.
+  /// The faces whose bound is not less than `level`, as bits.
   [[gnu::always_inline]] std::uint32_t faces_from(float level) const {
     std::uint32_t faces = 0;
     for (std::size_t i = 0; i < own_.face_count; i += lanes)
       faces |= Chosen<float>::not_less(L::load(bound_ + i), L(level)).bits() << i;
     return faces & (~std::uint32_t{0} >> (32 - own_.face_count));
   }
-  /// How deep the other's deepest vertex lies below a face; writes how deep each does.
+  /// The depth of the other's deepest vertex below a face; writes those of all vertices.
   template <std::size_t blocks>
   [[gnu::always_inline]] float deepest(std::uint32_t face) {
     const Vec3<L> down{L(down_[0][face]), L(down_[1][face]), L(down_[2][face])};
@@ -149,17 +149,17 @@ class HullSatCulling {
     return largest(most);
   }
 
-  /// Whether n . q exceeds `level` for some unit vector n of the arc between two whose cosine is c, by x and y, their
-  /// dot products with q: at one of its ends, or where q's projection falls inside it. Where rounding leaves that open,
-  /// yes: x and y may be off by the slack each, and the squares by their slopes times that.
+  /// Whether n . q exceeds `level` for some unit vector n of the arc between two whose cosine is c, given x and y,
+  /// their dot products with q: at one of its ends, or where q's projection falls inside it. True where rounding leaves
+  /// that open: x and y may be off by the slack each, and the squares by their slopes times that.
   [[gnu::always_inline]] auto may_exceed(const L& x, const L& y, const L& c, const L& level) const {
     const L slack(slack_), squares = x * x + y * y - L(2) * c * x * y;
     const L error = L(5) * slack * (abs(x) + abs(y) + abs(level));
     const auto inside = (y > c * x - slack) & (x > c * y - slack);
     return (x > level) | (y > level) | (inside & (squares + error >= level * level * (L(1) - c * c)));
   }
-  /// Which edges the other's inner ball and one of its vertices leave, by bits. An edge lies in the planes of its
-  /// faces: how high a point is above these is all there is to know of it.
+  /// The edges left open by the other's inner ball and one of its vertices, as bits. An edge lies in the planes of its
+  /// faces, so that the heights of a point above these are all that is needed.
   [[gnu::always_inline]] std::uint64_t open_edges(float level, const Vec3d& vertex) const {
     alignas(64) float of_vertex[face_room];
     const Vec3<L> point = converted<L>(converted<float>(vertex));
@@ -182,9 +182,9 @@ class HullSatCulling {
       }
       edges |= open << EdgeBlock::size * b;
     }
-    return edges & ((std::uint64_t{1} << own_.edge_count) - 1);  // without those that fill the last block up
+    return edges & ((std::uint64_t{1} << own_.edge_count) - 1);  // without those that fill up the last block
   }
-  /// Whether no vertex of the other shows that every axis of the edge's arc separates them by `level` at most.
+  /// Whether each vertex of the other leaves open an axis on the edge's arc with a separation of more than `level`.
   template <std::size_t blocks>
   [[gnu::always_inline]] bool vertices_exceed(std::uint32_t edge, float level) const {
     const auto [left, right] = own_.edges[edge].face;

@@ -6,7 +6,8 @@ namespace graze {
 
 namespace {
 
-/// Two for the test on lanes, of which one at least is a hull: all others have routines of their own.
+/// Whether the test on lanes applies: to two such shapes, of which one at least is a hull, since all others have
+/// routines of their own.
 template <class T>
 bool have_facets(const Shape<T>& a, const Shape<T>& b) {
   if constexpr (std::is_same_v<T, float>) return (is_hull(a) || is_hull(b)) && has_facets(a) && has_facets(b);
@@ -20,7 +21,7 @@ const Box<T>* as_box(const Shape<T>& shape) {
   return rectangle ? &rectangle->as_box() : nullptr;
 }
 
-/// The face of a box across an axis that is known to the compiler, which leaves no cyclic index to run time.
+/// The face of a box across an axis known at compile time, which leaves no cyclic index to run time.
 template <std::size_t major>
 void box_face_across(const Vec3d& half, const Vec3d& direction, PlacedFace& face) {
   constexpr std::size_t u = (major + 1) % 3, v = (major + 2) % 3;

@@ -9,17 +9,17 @@ namespace graze {
 
 namespace {
 
-/// Vertices are as high as each other within this, relative to their coordinates: some roundings.
+/// Height difference within which vertices are level, relative to their coordinates: some roundings.
 constexpr double same_height = 64 * std::numeric_limits<double>::epsilon();
 
-/// Every vertex of a flat polygon touches its front and its back.
+/// Faces at each vertex of a flat polygon: its front and its back.
 constexpr std::array<std::uint32_t, 2> front_and_back{0, 1};
-/// The support face of a box is asked for among all of its faces: where a side has no length, as of a rectangle, the
-/// first of two vertices at one place may be the one that the face along a direction does not have.
+/// Faces at each vertex of a box: all of them, because where a side has zero length, as in a rectangle, the first of
+/// two vertices at one place may not be on the face along a direction.
 constexpr std::array<std::uint32_t, 6> faces_of_box{0, 1, 2, 3, 4, 5};
 
-/// A triangle whose height is less than this part of its longest side is an edge to the separating-axis test: half of
-/// double's digits are left for the normal of a thicker one.
+/// Height of a triangle, relative to its longest side, below which the separating-axis test takes it for an edge: a
+/// thicker one has half of double's digits left for its normal.
 constexpr double slenderest = 1e-6;
 
 }  // namespace
@@ -84,7 +84,7 @@ void Polyhedron::set(const ConvexHull<T>& hull) {
   incident_ = data.incident;
 }
 
-/// The front's edges, each between the front and a side and again between the side and the back.
+/// Adds the front's edges, each between the front and a side and again between the side and the back.
 void Polyhedron::add_sides() {
   const auto count = static_cast<std::uint32_t>(flat_loops_.size() / 2);
   flat_begins_.push_back(0);
@@ -141,7 +141,8 @@ PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
   const auto faces = incident_begins_.empty()
                          ? incident_
                          : incident_.subspan(incident_begins_[top], incident_begins_[top + 1] - incident_begins_[top]);
-  // Where the direction is across an edge, its far end is as high: a face that has both is the edge's own.
+  // Where the direction is perpendicular to an edge, its far end is level with the top: a face that has both is the
+  // edge's own.
   const double level = dot(vertices_[top], direction) - same_height * max_abs(vertices_[top]);
   std::ptrdiff_t most_tied = 0;
   double most = -1;
@@ -159,7 +160,7 @@ PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
 
   PlacedFace face;
   const auto push = [&](std::uint32_t v) {
-    // Corners that a side of no length has made one: the face is less than a polygon.
+    // Corners that coincide because a side has zero length: the face is less than a polygon.
     if (!face.vertices.empty() && (vertices_[v] == face.vertices.back() || vertices_[v] == face.vertices[0])) return;
     face.vertices.push_back(vertices_[v]);
     face.ids.push_back(v);

@@ -12,7 +12,7 @@ double lowest(std::span<const Vec3d> points, const Vec3d& direction) {
 
 namespace {
 
-/// How far B lies in front of each face of A, and B's vertex that is nearest to it.
+/// The separation of B from each face of A, and B's vertex nearest to it.
 struct FaceSupports {
   SmallVector<double, 96> separation;
   SmallVector<std::uint32_t, 96> vertex;
@@ -37,8 +37,8 @@ PlacedEdge placed(const Polyhedron& p, std::size_t edge) {
   return {p.normals()[e.face[0]], p.normals()[e.face[1]], p.vertices()[e.vertex[1]] - point, point};
 }
 
-/// Whether n . q exceeds `best` for some unit vector n of the arc from `a` to `b`, by x = a . q and y = b . q: at one
-/// of its ends, or where q's projection falls inside it, which it never does where both are negative.
+/// Whether n . q exceeds `best` for some unit vector n of the arc from `a` to `b`, given x = a . q and y = b . q: at
+/// one of its ends, or where q's projection falls inside it, which it never does where both are negative.
 bool exceeds_on_arc(double x, double y, const Vec3d& a, const Vec3d& b, double best) {
   if (x > best || y > best) return true;
   if (x <= 0 && y <= 0) return false;
@@ -47,8 +47,8 @@ bool exceeds_on_arc(double x, double y, const Vec3d& a, const Vec3d& b, double b
   return x * x + y * y - 2 * c * x * y > best * best * (1 - c * c);
 }
 
-/// The edges of A on whose arcs some axis may show a larger separation than `best`. B is no further away along an axis
-/// than its vertices that are nearest to the two faces, so that most edges are out of the question.
+/// The edges of A on whose arcs some axis may show a larger separation than `best`. The separation of B along an axis
+/// is at most that of its vertices nearest to the two faces, which rules most edges out.
 SmallVector<std::uint32_t, 128> promising_edges(const Polyhedron& a, const FaceSupports& supports, const Polyhedron& b,
                                                 double best) {
   SmallVector<std::uint32_t, 128> promising;

@@ -1,9 +1,9 @@
-// The separating-axis test of any two polyhedra: face normals by support, and products of those edges only whose arcs
-// cross on the Gauss map (Gregorius 2013, "The separating axis test between convex polyhedra", Game Developers
-// Conference): exactly the facets of the Minkowski difference.
+// The separating-axis test of any two polyhedra: face normals by support queries, and products of those edges only
+// whose arcs cross on the Gauss map (Gregorius 2013, "The separating axis test between convex polyhedra", Game
+// Developers Conference): exactly the facets of the Minkowski difference.
 //
 // Guarantee: the largest separation of all is a lower bound of the distance, and for overlapping polyhedra exactly
-// minus their depth. Nothing but the intervals decides it: which axis is then chosen for contacts is another question.
+// minus their depth. Only the intervals decide it; the choice of an axis for contacts is separate.
 #pragma once
 
 #include <span>
@@ -15,8 +15,9 @@
 
 namespace graze {
 
-/// All axes; or, where a face already separates them by more than `enough`, those of faces only. Costs faces of A times
-/// vertices of B and the reverse, and little more: few edges can show a larger separation than the faces.
+/// The best axes; or, where a face already separates the polyhedra by more than `enough`, those of faces only. Costs
+/// faces of A times vertices of B and the reverse, and little more: few edges can show a larger separation than the
+/// faces.
 SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double enough);
 
 /// Every axis, one by one, for an explanation: A's faces, B's, and all pairs of edges that cross on the Gauss map.
@@ -26,9 +27,9 @@ std::vector<SeparatingAxis> all_separating_axes(const Polyhedron& a, const Polyh
 /// The least dot product of a point with a direction.
 double lowest(std::span<const Vec3d> points, const Vec3d& direction);
 
-/// `name` with a number behind it.
+/// `name` followed by a number.
 std::string numbered(std::string name, std::size_t number);
-/// What an axis of two polyhedra is called: "A face 3", "B face 12", "A edge 1 × B edge 7".
+/// The name of an axis of two polyhedra: "A face 3", "B face 12", "A edge 1 × B edge 7".
 std::string axis_name(const SeparatingAxis& axis);
 
 }  // namespace graze
