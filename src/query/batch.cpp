@@ -11,7 +11,7 @@ namespace graze {
 
 namespace {
 
-/// Asks `question(a, pose_a, b, pose_b)` about one pair.
+/// Calls the query `question(a, pose_a, b, pose_b)` for one pair.
 template <class T, class Question>
 auto ask(const Batch<T>& batch, std::size_t i, const Question& question) {
   const IdPair p = batch[i];
@@ -57,7 +57,7 @@ Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
 
 namespace {
 
-/// A query that has one answer for each pair, by the kernels of the pairs in `kernels`.
+/// A query with one answer for each pair, by the kernels of the pairs in `kernels`.
 template <class T>
 struct Overlaps {
   using Answer = std::uint8_t;
@@ -88,7 +88,7 @@ struct Distances {
   }
 };
 
-/// Calls `f` with the pair where the query has a kernel for it.
+/// Calls `f` with the pair if the query has a kernel for it.
 template <class Query, class T, class F>
 void with_kernel(LanePair pair, const F& f) {
   with_lane_pair(pair, [&]<class P>() {
@@ -96,7 +96,7 @@ void with_kernel(LanePair pair, const F& f) {
   });
 }
 
-/// The answers of a batch whose sides are of one kind each: kernels write them where they are to stand.
+/// The answers of a batch whose sides are of one kind each, written by kernels in place.
 template <class Query, class T>
 void answer_rows(const Query& query, const LanesFor& lanes, typename Query::Answer* answers) {
   with_kernel<Query, T>(lanes.pair, [&]<class P>() {
@@ -110,7 +110,7 @@ void answer_rows(const Query& query, const LanesFor& lanes, typename Query::Answ
   });
 }
 
-/// Those of the pairs of a queue.
+/// The answers for the pairs of a queue.
 template <class Query, class T>
 void answer_queue(const Query& query, const LanesFor& lanes, const Queue<T>& queue, typename Query::Answer* answers) {
   with_kernel<Query, T>(lanes.pair, [&]<class P>() {
@@ -123,8 +123,8 @@ void answer_queue(const Query& query, const LanesFor& lanes, const Queue<T>& que
   });
 }
 
-/// The answers of all pairs of a batch, for which there is room. Kernels tell themselves which pairs they do not answer
-/// for; `other(i)` answers for a pair of kinds that have none.
+/// The answers for all pairs of a batch, for which there must be room. Kernels list the pairs that they do not answer;
+/// `other(i)` answers for a pair of kinds without a kernel.
 template <class Query, class T, class Other>
 void answer(const Query& query, const Batch<T>& batch, std::vector<typename Query::Answer>& answers,
             const Other& other) {

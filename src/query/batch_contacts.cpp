@@ -7,9 +7,9 @@ namespace graze {
 
 namespace {
 
-/// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can
-/// be written before it is known whether it counts: of pairs half of which touch, at random, a jump would often be
-/// guessed wrong, which costs more than the writing.
+/// Writes contacts one behind the other. The arrays are kept longer than that until the end, so that a record can be
+/// written before it is known whether it counts: for pairs of which a random half touches, a branch would often be
+/// mispredicted, which costs more than the writing.
 template <class T>
 class Writer {
  public:
@@ -21,12 +21,13 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// Makes room for so many more; what is pointed to may move.
+  /// Makes room for this many more records; pointers to records may become invalid.
   void reserve(std::size_t manifolds, std::size_t points) {
     make_room(found_.manifolds, manifolds_ + manifolds);
     make_room(found_.points, points_ + points);
   }
-  /// Pairs and, of each that touches in one, the point; how many lie or are unknown, which count as apart.
+  /// Writes pairs and, for each that touches in one point, the point; returns how many are on their sides or unknown,
+  /// which count as apart.
   template <class Place>
   std::size_t write(const Place& place, const PointContact<T>* contacts, const Meeting* meetings, std::size_t count) {
     reserve(count, count);
@@ -50,8 +51,8 @@ class Writer {
     points_ += touching;
     return others;
   }
-  /// Pairs in rows from the `first`-th on: `ask(rows)` has a kernel write what it finds of them, with at most one point
-  /// each, and tells how much that is.
+  /// Writes pairs in rows from the `first`-th on: `ask(rows)` lets a kernel write their contacts, with at most one
+  /// point each, and returns the numbers of these.
   template <class Ask>
   RowCounts write_rows(std::size_t first, OtherRows<T>& others, const Ask& ask) {
     ContactRows<T> to{found_.pairs.data() + first,
@@ -68,7 +69,7 @@ class Writer {
       points_ += found.touching;
       return found;
     }
-    // Aside, as a vector is not made longer without all that is new being written for it.
+    // Written aside, because a vector grows only by initialising all new elements.
     to.manifolds = manifolds_aside_.records;
     to.points = points_aside_.records;
     const RowCounts found = ask(to);
@@ -76,7 +77,7 @@ class Writer {
     append(found_.points, points_, to.points, found.touching);
     return found;
   }
-  /// Where a kernel writes a block to: to where it stays, if there is room.
+  /// Storage of a kernel's block: in place, if there is room.
   void offer(PointBlock<T>& block) {
     constexpr std::size_t points = PointBlock<T>::room;
     const bool in_place =
@@ -85,14 +86,14 @@ class Writer {
     block.points = in_place ? found_.points.data() + points_ : points_aside_.records;
     block.first_point = static_cast<std::uint32_t>(points_);
   }
-  /// What is found of pairs that the kernel does not know will stand among the others: these step aside.
+  /// Moves a block aside if some of its pairs are unknown, since the contacts of these will come in between.
   void settle(PointBlock<T>& block, std::size_t count) {
     if (block.manifold_count == count || block.points == points_aside_.records) return;
     block.manifolds =
         std::copy_n(block.manifolds, block.manifold_count, manifolds_aside_.records) - block.manifold_count;
     block.points = std::copy_n(block.points, block.point_count, points_aside_.records) - block.point_count;
   }
-  /// Pairs that meet, the `k`-th of them number `place(k)`, with their points.
+  /// Writes pairs that meet, the `k`-th of them number `place(k)`, with their points.
   template <class Place>
   void write(const MetPairs<T>& met, bool turned, const Place& place) {
     if (met.points != found_.points.data() + points_) append(met, turned);
@@ -103,18 +104,18 @@ class Writer {
     points_ += met.point_count;
     fetch_for_writing(found_.manifolds.data() + manifolds_, met.count);
   }
-  /// A pair that does not touch, until manifolds follow.
+  /// Writes a pair that does not touch, unless manifolds follow.
   void begin(std::size_t pair, bool overlap) {
     found_.pairs[pair] = {overlap, static_cast<std::uint32_t>(manifolds_), 0};
   }
-  /// A pair of convex shapes that touch; `points` appends its own.
+  /// Writes a pair of convex shapes that touch; `points` appends its own.
   template <class Points>
   void touching(std::size_t pair, T distance, const Vec3<T>& normal, std::size_t most, const Points& points) {
     begin(pair, distance <= T(0));
     add(pair, normal, 0, 0, most, [&](auto& tail) { return points.append(tail); });
   }
-  /// One more manifold of the pair that was begun last; `append(points)` writes at most `most` points behind those that
-  /// are there, and returns how many.
+  /// Writes one more manifold of the pair begun last; `append(points)` appends at most `most` points, and returns their
+  /// number.
   template <class Append>
   void add(std::size_t pair, const Vec3<T>& normal, std::uint32_t piece_a, std::uint32_t piece_b, std::size_t most,
            const Append& append) {
@@ -127,7 +128,7 @@ class Writer {
   }
 
  private:
-  /// The points as a vector that ends where those end that count.
+  /// The points as a vector that ends at the last one that counts.
   struct Tail {
     std::vector<ContactPoint<T>>& points;
     std::size_t end;
@@ -137,7 +138,7 @@ class Writer {
     void push_back(const ContactPoint<T>& p) { emplace_back() = p; }
   };
 
-  /// Those that stand elsewhere.
+  /// Appends contacts that were written aside.
   void append(const MetPairs<T>& met, bool turned) {
     reserve(met.count, met.point_count);
     ContactPoint<T>* const points = found_.points.data() + points_;

@@ -1,8 +1,7 @@
-// The pairs of a batch that GJK would be asked about one by one, put together for the kernel that tells of most of them
-// whether they touch.
+// Batching of the pairs that GJK would answer one by one, for the kernel that decides the overlap of most of them.
 //
-// Guarantee: every pair that is taken is answered, by the kernel or by itself, when `finish` has been called. Nothing
-// is allocated.
+// Guarantee: every pair taken has its answer, by the kernel or alone, when `finish` has been called. Nothing is
+// allocated.
 #pragma once
 
 #include <array>
@@ -14,12 +13,12 @@
 
 namespace graze {
 
-/// What each kind is to the kernel, and which pairs of kinds it is asked about: those whose `overlap` is GJK's. Others
-/// have routines that take less time for a pair.
+/// The form of each kind for the kernel, and the pairs of kinds that use it: those whose `overlap` is GJK's. Other
+/// pairs have faster routines.
 template <class T>
 class PortalKinds {
  public:
-  /// Writes the core of a concrete shape to a side's columns; returns what rounds it.
+  /// Writes the core of a concrete shape to a side's columns; returns its rounding radius.
   using Put = T (*)(const void* concrete, const PortalPlace& to);
   struct Kind {
     PortalSide side = PortalSide::none;
@@ -58,7 +57,7 @@ class PortalKinds {
   Kind kinds_[Shape<T>::count];
 };
 
-/// `single(i)` tells of one pair by itself.
+/// Queues pairs for the kernel. `single(i)` answers for one pair alone.
 template <class T, class Single>
 class Portals {
  public:
@@ -124,7 +123,7 @@ class Portals {
   std::uint8_t* const touch_;
   const Single single_;
   Isa level_ = chosen_isa();
-  /// By how many of the two sides are points.
+  /// Indexed by the number of sides that are points.
   Kernel kernels_[3] = {GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::sum, PortalSide::sum>),
                         GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::sum, PortalSide::points>),
                         GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::points, PortalSide::points>)};

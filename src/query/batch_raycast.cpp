@@ -16,7 +16,7 @@ using rays::BlockHits;
 using rays::BlockShape;
 using rays::RayBlock;
 
-/// The shape as the kernels know it; `none` for what has no closed form there.
+/// The shape in the form of the kernels; `none` for shapes without a closed form there.
 template <class T>
 BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
   BlockShape out;
@@ -25,7 +25,7 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
   const auto put = [&](std::size_t i, const Vec3<T>& p) {
     for (std::size_t k = 0; k < 3; ++k) out.points[i][k] = static_cast<double>(p[k]);
   };
-  // As `hit_balls`.
+  // As in `hit_balls`.
   const auto put_balls = [&](const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
     const Vec3d between = converted<double>(b) - converted<double>(a);
     const double radius_a = static_cast<double>(core_a) + margin, radius_b = static_cast<double>(core_b) + margin;
@@ -91,10 +91,10 @@ LocalRay local_ray(const RayBlock& block, std::size_t i) {
   return {at(block.origin, i), at(block.direction, i), 0, block.end[i], block.blur[i]};
 }
 
-/// As many as fill the widest registers.
+/// The number of lanes, a multiple of the widest registers'.
 std::size_t lanes_for(std::size_t rays) { return (rays + 7) / 8 * 8; }
 
-/// Up to `RayBlock::size` rays into the shape's frame; returns how many lanes are filled.
+/// Loads up to `RayBlock::size` rays into the shape's frame; returns the number of lanes filled.
 template <class T>
 std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const BlockFrame& frame) {
   static_assert(sizeof(Ray<T>) == 6 * sizeof(T) && std::is_standard_layout_v<Ray<T>>);
@@ -103,7 +103,7 @@ std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const 
   return lanes_for(rays.size());
 }
 
-/// Calls `f(block, first, some)` for some rays after the other, `first` being the place of the first.
+/// Calls `f(block, first, some)` for consecutive groups of rays, `first` being the index of the first.
 template <class T, class F>
 void each_block(std::span<const Ray<T>> rays, const F& f) {
   RayBlock block;
@@ -111,7 +111,7 @@ void each_block(std::span<const Ray<T>> rays, const F& f) {
     f(block, first, rays.subspan(first, least(RayBlock::size, rays.size() - first)));
 }
 
-/// Some rays at a box.
+/// Finds the hits of some rays at a box.
 template <class T>
 void find_hits(RayBlock& block, std::span<const Ray<T>> rays, T length, const rays::TurnedBox& box,
                BlockHits<T>& hits) {
@@ -150,12 +150,12 @@ rays::BlockField<T> block_field(const HeightFieldData<T>& field, BackFaces back,
           any};
 }
 
-/// What several rays at a time can be cast at.
+/// A shape for which several rays can be cast at a time.
 template <class T>
 class BlockTarget {
  public:
   BlockTarget(const Shape<T>& shape, BackFaces back, bool any) : closed_(block_shape(shape, back)) {
-    // Whether a ray begins inside a solid mesh is asked one by one.
+    // Rays that may begin inside a solid mesh are cast one by one.
     if (const auto* mesh = shape.template as<Mesh<T>>(); mesh && !mesh->solid())
       mesh_ = block_mesh(mesh->data(), back, any);
     else if (const auto* field = shape.template as<HeightField<T>>())
@@ -163,11 +163,11 @@ class BlockTarget {
   }
 
   bool takes(std::size_t rays) const {
-    constexpr std::size_t few = 4;  // at a surface fewer are done sooner one after the other
+    constexpr std::size_t few = 4;  // at a surface fewer are faster one by one
     return closed_.kind != BlockShape::none || ((mesh_ || field_) && rays >= few);
   }
 
-  /// Of the first `count` rays; the block is filled up with others.
+  /// Finds the hits of the first `count` rays; the block is filled up with others.
   void find_hits(RayBlock& block, std::size_t count, std::uint32_t (&pieces)[RayBlock::size]) const {
     static const auto at_shape = GRAZE_KERNEL(chosen_isa(), block_hits);
     static const auto at_mesh = GRAZE_KERNEL(chosen_isa(), block_at_mesh<T>);
@@ -186,7 +186,7 @@ class BlockTarget {
   std::optional<rays::BlockField<T>> field_;
 };
 
-/// One ray after the other, where there is no way for several.
+/// Finds the hits one by one, for shapes without a way for several rays.
 template <class T>
 GRAZE_FLATTEN void find_hits(RayBlock& block, std::size_t count, const Shape<T>& shape, BackFaces back,
                              std::uint32_t (&pieces)[RayBlock::size]) {
@@ -231,7 +231,7 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
                  to_world(block, filled, frame, length, found);
                }
                for (std::size_t i = 0; i < some.size(); ++i) {
-                 // Written in any case: whether a ray hits is hard to foresee.
+                 // Written in any case: whether a ray hits is unpredictable.
                  std::optional<RayHit<T>>& hit = hits[first + i];
                  hit = RayHit<T>{found.t[i], at(found.point, i), at(found.normal, i), pieces[i]};
                  if (block.state[i] != rays::ray_hit) hit.reset();

@@ -1,6 +1,6 @@
-// From the pairs of a batch to kernels: those of the same two kinds put together.
+// Grouping of a batch's pairs by their two kinds, for kernels.
 //
-// Guarantee: every pair comes out once, at a kernel or by itself. Nothing is allocated.
+// Guarantee: every pair is passed on once, to a kernel or alone. Nothing is allocated.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace graze {
 
-/// A pair of the list and whether the two of a batch have to be turned round for it, as one number.
+/// A pair of the list and whether a batch's two shapes have to be swapped for it, as one number.
 constexpr std::uint8_t queue_of(const LanesFor& lanes) {
   return static_cast<std::uint8_t>(2 * lanes.pair + lanes.turned);
 }
 constexpr LanesFor lanes_of_queue(std::uint8_t queue) { return {static_cast<LanePair>(queue / 2), queue % 2 != 0}; }
 
-/// Pairs that wait for a kernel, with their places in the batch: what is loaded for one kernel is near when the next
-/// one wants it.
+/// Pairs that wait for a kernel, with their indices in the batch: data loaded for one kernel are in the cache when the
+/// next one needs them.
 template <class T>
 struct Queue {
   std::array<PairRef<T>, batch_chunk> pairs;
@@ -27,8 +27,8 @@ struct Queue {
   std::size_t count = 0;
 };
 
-/// The bodies of a side that are all of one kind: each shape so many bytes behind the one before and each pose so many
-/// poses, or all in one place. A pair takes a few instructions so, which with all that `Bodies` can be it does not.
+/// The bodies of a side of one kind: each shape at a constant stride in bytes and each pose at a constant stride in
+/// poses, zero for a single one. A pair takes few instructions this way, unlike by the general `Bodies`.
 template <class T>
 struct EvenRow {
   const char* shapes;
@@ -45,8 +45,8 @@ struct EvenRow {
   const Pose<T>* pose(std::uint32_t i) const { return poses + i * pose_stride; }
 };
 
-/// Has what kernels load of a pair brought near: they are asked when the queue is full, and the first lines come while
-/// it is filled.
+/// Prefetches the data that kernels load for a pair: kernels run when the queue is full, and the first lines arrive
+/// while it is filled.
 template <class T>
 void fetch(const PairRef<T>& pair) {
   __builtin_prefetch(pair.pose_a);
@@ -55,8 +55,8 @@ void fetch(const PairRef<T>& pair) {
   __builtin_prefetch(pair.b);
 }
 
-/// Of pairs whose kinds are the same throughout, those from `first` on, at most as many as there is room for, behind
-/// those that wait in the queue; how many.
+/// Appends to the queue pairs of one pair of kinds, from `first` on, as many as there is room for; returns their
+/// number.
 template <class T>
 std::size_t append_even(const Batch<T>& batch, const EvenRow<T>& a, const EvenRow<T>& b, std::size_t first, bool turned,
                         T margin, Queue<T>& queue) {
@@ -72,7 +72,7 @@ std::size_t append_even(const Batch<T>& batch, const EvenRow<T>& a, const EvenRo
   return count;
 }
 
-/// Takes pairs that lanes do not take out of the queue, from the `begin`-th on, and gives them to `single(i)`.
+/// Removes pairs that lanes do not take from the queue, from the `begin`-th on, and passes them to `single(i)`.
 template <class T, class Single>
 void drop_not_taken(std::size_t kind_a, std::size_t kind_b, std::size_t begin, Queue<T>& queue, Single&& single) {
   std::size_t kept = begin;
@@ -87,7 +87,7 @@ void drop_not_taken(std::size_t kind_a, std::size_t kind_b, std::size_t begin, Q
   queue.count = kept;
 }
 
-/// `visit_batch` where each side is of one kind known to the compiler: nothing about kinds is asked of a pair.
+/// `visit_batch` for sides of one kind each, known at compile time: no pair's kinds are looked up.
 template <class T, class Run, class Single>
 void visit_even_batch(const Batch<T>& batch, T margin, const LanesFor& lanes, Run&& run, Single&& single) {
   const Bodies<T>&first = lanes.turned ? batch.b() : batch.a(), &second = lanes.turned ? batch.a() : batch.b();
@@ -107,8 +107,9 @@ void visit_even_batch(const Batch<T>& batch, T margin, const LanesFor& lanes, Ru
   }
 }
 
-/// Goes through the batch: `run(lanes, queue)` asks the kernel of a pair that is in `wanted`, `single(i)` about one of
-/// the batch. The kernel of a pair in `judging` is given shapes that lanes do not take too, and tells which these are.
+/// Visits all pairs of the batch: `run(lanes, queue)` calls the kernel of a pair in `wanted`, `single(i)` answers for
+/// one pair of the batch. The kernel of a pair in `judging` also gets shapes that lanes do not take, and rejects these
+/// itself.
 template <class T, class Run, class Single>
 void visit_batch(const Batch<T>& batch, T margin, const LanePairSet& wanted, const LanePairSet& judging, Run&& run,
                  Single&& single) {

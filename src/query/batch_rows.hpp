@@ -1,8 +1,7 @@
-// Pairs as rows for kernels: those of a batch whose sides are of one kind each, some after the other, and those that
-// wait in a queue.
+// Pairs in rows for kernels: those of a batch whose sides are of one kind each, in chunks, and those of a queue.
 //
-// Guarantee: there are always as many rows to read as lanes take. The bodies' own are read where pairs stand in their
-// order, but for the last few; what is copied is near when it is read. Nothing is allocated.
+// Guarantee: there are always as many rows to read as lanes take. The bodies' own are read where pairs are in order,
+// except for the last few; copies are in the cache when they are read. Nothing is allocated.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +11,19 @@
 
 namespace graze {
 
-/// So many pairs at most are in rows at a time.
+/// Largest number of pairs in rows at a time.
 inline constexpr std::size_t row_chunk = batch_chunk;
 
 /// Rows of C, shapes of one kind or poses, of one side: the bodies' own, or copies of them.
 template <class C>
 class SideRows {
  public:
-  /// Of a single one the copies for all are made here.
+  /// Makes the copies for all pairs here if the side has a single body.
   SideRows(const void* own, bool single, std::size_t pairs) : own_(static_cast<const C*>(own)), single_(single) {
     if (single_)
       for (std::size_t k = 0; k < bundled(std::min(pairs, row_chunk)); ++k) copy(0, k);
   }
-  /// For some pairs from the `first`-th on, whose places are given unless they are the bodies' own.
+  /// The rows of some pairs from the `first`-th on; `places` holds their indices, null for the bodies' own rows.
   const C* operator()(std::size_t first, std::size_t count, const std::uint32_t* places) {
     if (single_) return reinterpret_cast<const C*>(copies_);
     if (!places) return own_ + first;
@@ -41,7 +40,7 @@ class SideRows {
   alignas(C) std::byte copies_[row_chunk * sizeof(C)];
 };
 
-/// A side whose shapes are all of the kind C.
+/// The rows of a side whose shapes are all of the kind C.
 template <class C, class T>
 class RowsOf {
  public:
@@ -62,8 +61,8 @@ class RowsOf {
   SideRows<Pose<T>> poses_;
 };
 
-/// Calls `ask(rows, first, count)` for all pairs of a batch, whose shapes are of the kinds A and B; `turned`: those of
-/// the batch's own A and B are of B and A.
+/// Calls `ask(rows, first, count)` for all pairs of a batch whose shapes are of the kinds A and B; `turned`: the
+/// batch's A is of kind B, and its B of kind A.
 template <class A, class B, class T, class Ask>
 void visit_rows(const Batch<T>& batch, bool turned, const Ask& ask) {
   RowsOf<A, T> a(turned ? batch.b() : batch.a(), batch.size());
@@ -71,7 +70,7 @@ void visit_rows(const Batch<T>& batch, bool turned, const Ask& ask) {
   std::uint32_t places_a[row_chunk], places_b[row_chunk];
   for (std::size_t first = 0, count; first < batch.size(); first += count) {
     count = std::min(row_chunk, batch.size() - first);
-    // Of the bodies' own rows only those are copied that are left over of what lanes take.
+    // With the bodies' own rows, only the remainder beyond full registers is copied.
     if (batch.in_order() && count >= bundled(1)) count -= count % bundled(1);
     const bool own = batch.in_order() && count == bundled(count);
     for (std::size_t k = 0; !own && k < count; ++k) {
@@ -101,7 +100,7 @@ class QueueRows {
   }
 
  private:
-  /// What one of a pair's pointers points to, of all; rows that are left over repeat the last.
+  /// Copies the objects of one pointer member of all pairs; remaining rows repeat the last.
   template <std::size_t size, class Member>
   static void copy(const Queue<T>& queue, Member member, std::byte* to) {
     const std::size_t count = queue.count, all = bundled(count);
@@ -114,7 +113,7 @@ class QueueRows {
   alignas(Pose<T>) std::byte poses_a_[row_chunk * sizeof(Pose<T>)], poses_b_[row_chunk * sizeof(Pose<T>)];
 };
 
-/// The lanes for a batch whose sides are of one kind each; none for any other.
+/// The lanes for a batch whose sides are of one kind each; none for other batches.
 template <class T>
 LanesFor lanes_of_batch(const Batch<T>& batch) {
   if (batch.size() == 0 || !batch.a().one_kind() || !batch.b().one_kind()) return {};

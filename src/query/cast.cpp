@@ -12,21 +12,21 @@ namespace graze {
 
 namespace {
 
-/// Roundings that a point of a path goes through: a product, a sum, and what came before them.
+/// Roundings of a point of a path: those of a product, a sum, and the terms before.
 constexpr double path_rounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// What rounding to T does to poses and vertices before they are asked about: half a unit in the last place to each of
-/// two.
+/// Rounding of poses and vertices to T before the query: half a unit in the last place for each of two.
 template <class T>
 constexpr double coordinate_rounding = static_cast<double>(std::numeric_limits<T>::epsilon());
 
-/// A long way of composites that turn is gone in stretches of about the smaller body's size, so that each meets few
-/// pieces; more stretches than this cost more in looking them up than they save.
+/// Largest number of stretches of a long path. The path of turning composites is divided into stretches of about the
+/// smaller body's size, so that each meets few pieces; more stretches than this cost more in tree searches than they
+/// save.
 constexpr double most_stretches = 64;
 
 double finite(double size) { return size < std::numeric_limits<double>::infinity() ? size : 0; }
 
-/// The question in double, seen from A.
+/// The query in double, in A's frame.
 template <class T>
 struct Asked {
   PairMotion motion;
@@ -56,8 +56,8 @@ struct Asked {
            path_rounding * path;
   }
 
-  /// Whether the balls about the bodies' origins that hold them are clearly apart at the begin: by a thousandth of
-  /// them, ten thousand times what float rounds.
+  /// Whether the bounding balls about the bodies' origins are clearly apart at the beginning: by a thousandth of their
+  /// radii, ten thousand times float's rounding.
   bool begins_far() const {
     constexpr double slack = 1 + 1e-3;
     return length(motion.offset) > slack * (a.reach() + b.reach()) + tolerance_of(a, b);
@@ -93,8 +93,8 @@ std::size_t stretches(const Asked<T>& asked) {
   return static_cast<std::size_t>(std::ceil(least(most_stretches, path / step)));
 }
 
-/// Whether a piece is a triangle of a solid mesh that is met from within, as by what leaves it, along a unit vector of
-/// the world that leads from it. A sliver, whose normal is rounding, is met from without.
+/// Whether a piece is a triangle of a solid mesh that is met from within, as by a body that leaves it, along a unit
+/// vector of the world that leads away from it. A sliver, whose normal is mere rounding, counts as met from without.
 template <class T>
 bool met_from_within(const NumberedPiece<T>& numbered, const Quatd& rotation, const Vec3d& outward) {
   const auto* triangle = numbered.of_solid ? numbered.piece.shape.template as<Triangle<T>>() : nullptr;
@@ -105,9 +105,9 @@ bool met_from_within(const NumberedPiece<T>& numbered, const Quatd& rotation, co
   return dot(normal, outward) < -static_cast<double>(same_normal<T>) * max_abs(u) * max_abs(v);
 }
 
-/// Calls `found` for the first contact of every pair of pieces, but not for those later than `until()` in stretches
-/// behind it; in each stretch anew. Where separating bodies are ignored, solid meshes are not met from within: what
-/// starts inside, and has not got deeper, gets out.
+/// Calls `found` for the first contact of every pair of pieces, in each stretch anew, omitting those later than
+/// `until()` in stretches behind it. Where separating bodies are ignored, solid meshes are not met from within: a body
+/// that starts inside, and has not got deeper, gets out.
 template <class T, class Until, class Found>
 void visit_impacts(const Asked<T>& asked, const Until& until, const Found& found) {
   const std::size_t count = stretches(asked);
@@ -148,7 +148,7 @@ std::optional<PieceImpact> first_impact(const Asked<T>& asked) {
   return first;
 }
 
-/// What begins wholly inside a solid mesh touches at once, unless it is leaving and separating bodies are ignored.
+/// The hit at t = 0 of a shape wholly inside a solid mesh, unless it is leaving and separating bodies are ignored.
 template <class T>
 std::optional<CastHit<T>> hit_inside(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
                                      const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b,
@@ -204,7 +204,7 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const V
   const std::optional<PieceImpact> first = first_impact(asked);
   if ((has_solid_mesh(a) || has_solid_mesh(b)) && !(first && first->impact.t == 0))
     if (const auto hit = hit_inside(a, pose_a, velocity_a, b, pose_b, velocity_b, options)) return hit;
-  // In float `overlap` rounds more than a cast does. What it calls touching touches here too.
+  // In float `overlap` rounds more than a cast does. Shapes that touch by it hit here too.
   if (std::is_same_v<T, float> && options.separating == Separating::hit && !(first && first->impact.t == 0) &&
       !asked.begins_far() && any_overlap<T>(a, pose_a, b, pose_b)) {
     const Distance<T> d = any_distance<T>(a, pose_a, b, pose_b);
@@ -221,7 +221,7 @@ void cast_all(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& veloc
   std::vector<PieceImpact> impacts;
   const auto until = [&] { return asked.duration; };
   visit_impacts(asked, until, [&](const PieceImpact& impact) { impacts.push_back(impact); });
-  // A pair is found again in every stretch that it touches in: only its first contact counts.
+  // A pair is found again in every stretch in which it touches: only its first contact counts.
   const auto pair_of = [](const PieceImpact& i) { return std::pair(i.piece_a, i.piece_b); };
   std::sort(impacts.begin(), impacts.end(), [&](const PieceImpact& x, const PieceImpact& y) {
     return pair_of(x) != pair_of(y) ? pair_of(x) < pair_of(y) : earlier(x, y);

@@ -7,7 +7,7 @@ namespace graze {
 
 namespace {
 
-/// Writes contacts in few bytes. Kernels write aside, to what stays in the cache, and what is wanted of that is kept.
+/// Writes compact contacts. Kernels write to a buffer that stays in the cache, and the needed part of that is kept.
 template <class T>
 class CompactWriter : public BlockRoom<T> {
   using Group = typename CompactContacts<T>::Group;
@@ -60,7 +60,7 @@ class CompactWriter : public BlockRoom<T> {
       point += count;
     }
   }
-  /// Where no two points of a pair have the same features, which only whole contacts tell apart.
+  /// Writes boxes directly if no two points of a pair have the same features, which only full contacts distinguish.
   template <class Single>
   bool write_boxes(const MetBoxes<T>& met, std::size_t size, Single& single) {
     reserve(block_pairs, CompactBlock<T>::room);
@@ -100,7 +100,7 @@ class CompactWriter : public BlockRoom<T> {
                                       static_cast<std::uint32_t>(count)};
     for (std::size_t i = 0; i < count; ++i) found_.points[points_++] = compact(points[i]);
   }
-  /// Written either way and kept if it `counts`: a jump would often be guessed wrong.
+  /// Written either way and kept if it `counts`: a branch would often be mispredicted.
   void put_one(std::size_t pair, const Vec3<T>& normal, const ContactPoint<T>& point, bool counts) {
     found_.manifolds[manifolds_] = {normal, static_cast<std::uint32_t>(pair), static_cast<std::uint32_t>(points_), 1};
     found_.points[points_] = compact(point);

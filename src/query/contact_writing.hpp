@@ -1,25 +1,26 @@
-// From the pairs of a batch to their contacts, in whatever form these are written.
+// From the pairs of a batch to their contacts, in any form of answer.
 //
-// Guarantee: every pair is given to the writer once, with the bits of `contacts` about it alone, in an order that is a
+// Guarantee: every pair is passed to the writer once, with the bits of `contacts` for it alone, in an order that is a
 // function of the batch alone.
 //
-// A writer has, for pairs by their places in the batch:
+// A writer has these functions, for pairs by their indices in the batch:
 //
-//     begin(pair, overlap)                            until manifolds follow it has none
+//     begin(pair, overlap)                            a pair without manifolds, unless `add` follows
 //     add(pair, normal, piece_a, piece_b, most, append)
-//                                                     one more manifold of the pair that was begun last, whose points,
-//                                                     `most` at most, `append(points)` appends; it returns how many
-//     touching(pair, distance, normal, most, points)  both, of convex shapes; `points.append(to)` appends
+//                                                     one more manifold of the pair begun last; `append(points)`
+//                                                     appends its points, `most` at most, and returns their number
+//     touching(pair, distance, normal, most, points)  both, for convex shapes; `points.append(to)` appends
 //     write(place, contacts, meetings, count)         pairs with one point at most, of which the k-th is `place(k)`;
-//                                                     returns how many lie or are unknown, which count as apart
-//     write(met, turned, place)                       pairs that meet (`MetPairs`); `turned`: told from B to A
-//     write_rows(first, others, ask)                  pairs in rows from the `first`-th on: `ask(rows)` has a kernel
-//                                                     write what it finds of them, with at most one point each, and
-//                                                     tells how much that is
-//     offer(block), settle(block, count)              where kernels write blocks to, as `BlockRoom`
+//                                                     returns how many are on their sides or unknown, which count as
+//                                                     apart
+//     write(met, turned, place)                       pairs that meet (`MetPairs`); `turned`: given from B to A
+//     write_rows(first, others, ask)                  pairs in rows from the `first`-th on: `ask(rows)` lets a kernel
+//                                                     write their contacts, with at most one point each, and returns
+//                                                     the numbers of these
+//     offer(block), settle(block, count)              storage of the kernels' blocks, as in `BlockRoom`
 //
-// and may have `write_boxes(met, size, single)`, for the next `size` of boxes in rows: whether it wrote them itself, or
-// had `single` asked about them.
+// Optional is `write_boxes(met, size, single)`, for the next `size` of boxes in rows: it returns whether it wrote them
+// itself, or had `single` answer for them.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +29,8 @@
 
 namespace graze {
 
-/// Makes an array at least so long. Memory is taken for twice as many, but records are made only when they are near to
-/// be written: they are in the cache then.
+/// Makes an array at least this long. Memory is reserved for twice as many, but records are made only shortly before
+/// they are written, so that they are in the cache.
 template <class Array>
 void make_room(Array& array, std::size_t size) {
   if (array.size() >= size) return;
@@ -37,14 +38,14 @@ void make_room(Array& array, std::size_t size) {
   array.resize(size);
 }
 
-/// The pairs in rows that are not answered for in their order.
+/// The pairs in rows that are not answered in order.
 template <class T>
 struct OtherRows {
   std::uint8_t unknown[row_chunk], side_places[row_chunk];
   RoomFor<SegmentContact<T>, row_chunk> sides;
 };
 
-/// Asks about one pair after the other.
+/// Answers for one pair after the other.
 template <class T, class Writer>
 class OneByOne {
  public:
@@ -73,8 +74,8 @@ class OneByOne {
   Manifolds<T> manifolds_;
 };
 
-/// The sink (`narrow/batch/contact_sink.hpp`) that hands a batch's contacts to a writer; `place(i)` is the place in the
-/// batch of the i-th pair that kernels are asked about.
+/// The sink (`narrow/batch/contact_sink.hpp`) that passes a batch's contacts to a writer; `place(i)` is the index in
+/// the batch of the kernels' i-th pair.
 template <class T, class Writer, class Place>
 class BatchSink {
  public:
@@ -96,7 +97,7 @@ class BatchSink {
   void met(const MetPairs<T>& some, bool turned) {
     writer_.write(some, turned, [&](std::size_t k) { return place_(some.place(k)); });
   }
-  /// Of pairs in rows, whose places are those in the batch.
+  /// Writes boxes in rows, whose indices are those in the batch.
   bool boxes(const MetBoxes<T>& met, std::size_t size) {
     if constexpr (requires { writer_.write_boxes(met, size, single_); })
       return writer_.write_boxes(met, size, single_);
@@ -111,7 +112,7 @@ class BatchSink {
   Place place_;
 };
 
-/// Pairs in rows that touch in one point each, or in two where capsules lie.
+/// Contacts of pairs in rows that touch in one point each, or in two for capsules on their sides.
 template <class P, class T, class Writer, class Sink>
 void visit_contact_rows(const Batch<T>& batch, bool turned, T margin, Writer& writer, Sink& sink) {
   const auto kernel = P::template contact_rows<T>();
@@ -129,8 +130,8 @@ void visit_contact_rows(const Batch<T>& batch, bool turned, T margin, Writer& wr
   visit_rows<typename P::template A<T>, typename P::template B<T>>(batch, turned, ask);
 }
 
-/// The contacts of a batch whose sides are of one kind each, read and written where they stand: whether the kernels of
-/// the two kinds can.
+/// The contacts of a batch whose sides are of one kind each, read and written in place. Returns whether the two kinds
+/// have kernels for that.
 template <class T, class Writer>
 bool contacts_of_rows(const Batch<T>& batch, const LanesFor& lanes, T margin, Writer& writer,
                       OneByOne<T, Writer>& single) {
@@ -152,7 +153,7 @@ bool contacts_of_rows(const Batch<T>& batch, const LanesFor& lanes, T margin, Wr
   return done;
 }
 
-/// All contacts of a batch.
+/// Writes all contacts of a batch.
 template <class T, class Writer>
 void write_contacts(const Batch<T>& batch, T margin, Writer& writer) {
   OneByOne<T, Writer> single(batch, margin, writer);

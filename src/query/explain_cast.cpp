@@ -8,10 +8,11 @@ namespace graze {
 
 namespace {
 
-/// A table of more steps is not read; those of shapes that turn fast near each other go on for thousands.
+/// Largest number of steps shown, since longer tables are not read; shapes that turn fast near each other need
+/// thousands.
 constexpr std::size_t most_shown_steps = 64;
 
-/// The greatest speed of any point of a body by its turning alone.
+/// The greatest speed of any point of a body due to its rotation alone.
 template <class T>
 double turning_speed(const BodyOnItsWay<T>& body) {
   const double rate = length(converted<double>(body.velocity.angular));
@@ -19,7 +20,7 @@ double turning_speed(const BodyOnItsWay<T>& body) {
 }
 
 /// Conservative advancement with a bound on the speed (Mirtich 1996, "Impulse-based dynamic simulation of rigid body
-/// systems", section 2.3): the plane between the shapes parts them until the gap along its normal is used up.
+/// systems", section 2.3): the plane between the shapes separates them until the gap along its normal is used up.
 template <class T>
 class ShownAdvancement {
  public:
@@ -34,7 +35,8 @@ class ShownAdvancement {
     explain_any_distance(a_.shape, pose_of(a_, t), b_.shape, pose_of(b_, t), answer, trace);
   }
 
-  /// Until when the plane of that distance parts the shapes; infinite when they do not come nearer along its normal.
+  /// The time until which the plane of that distance separates the shapes; infinite when they do not approach along its
+  /// normal.
   double parted_until(double t, const Distance<T>& d) const {
     const double closing = turning_ - dot(converted<double>(d.normal), velocity_);
     return closing > 0 ? t + static_cast<double>(d.distance) / closing : std::numeric_limits<double>::infinity();

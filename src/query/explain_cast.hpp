@@ -1,14 +1,14 @@
-// What an explanation says of two bodies that move.
+// Explanation of a cast of two moving bodies.
 //
-// Guarantee: made after the answer and from it; nothing here is run, and nothing of it decides, when no explanation is
-// asked for.
+// Guarantee: made from the answer and after it; nothing here runs without a request for an explanation, nor has an
+// influence on an answer.
 #pragma once
 
 #include "graze/cast.hpp"
 
 namespace graze {
 
-/// A body on its way, for the span of a call.
+/// A moving body, for the duration of a call.
 template <class T>
 struct BodyOnItsWay {
   const Shape<T>& shape;
@@ -17,7 +17,7 @@ struct BodyOnItsWay {
 };
 
 /// Writes the steps of conservative advancement up to the hit, or to where the bodies are known to miss, and the
-/// separating axes as they are then.
+/// separating axes at that time.
 template <class T>
 void explain_cast(const BodyOnItsWay<T>& a, const BodyOnItsWay<T>& b, T duration, const std::optional<CastHit<T>>& hit,
                   Trace& trace);

@@ -13,7 +13,7 @@ namespace {
 using namespace shape_rays;
 using rays::Made;
 
-/// A hierarchy that counts the nodes that are looked into.
+/// A hierarchy that counts the nodes visited.
 template <class Hierarchy>
 struct CountedHierarchy {
   using Ref = typename Hierarchy::Ref;
@@ -37,7 +37,7 @@ struct CountedHierarchy {
   }
 };
 
-/// Counts the nodes and pieces of a tree that a ray comes upon before `end`.
+/// Counts the nodes and pieces of a tree that a ray meets before `end`.
 template <class Hierarchy>
 void count_visits(const Hierarchy& hierarchy, const LocalRay& ray, double end, Trace& trace) {
   const CountedHierarchy<Hierarchy> counted{hierarchy, trace.nodes};
@@ -46,7 +46,7 @@ void count_visits(const Hierarchy& hierarchy, const LocalRay& ray, double end, T
       ray.begin, ray.blur);
 }
 
-/// The span that decides: the last to be entered of all, or the first of any; and what follows from it.
+/// Names the span that decides: the last to be entered of all, or the first of any; and its consequence.
 void conclude(Made made, bool hit, double end, Trace& trace) {
   const auto& spans = trace.spans;
   if (made == Made::by_steps) {
@@ -75,7 +75,7 @@ void conclude(Made made, bool hit, double end, Trace& trace) {
   }
 }
 
-/// One convex shape, in its own frame.
+/// Explains one convex shape, in its own frame.
 template <class T>
 void explain_convex(const Shape<T>& shape, const LocalRay& ray, bool hit, Trace& trace) {
   rays::RayExplanation explanation(ray, trace);
@@ -89,13 +89,13 @@ void explain_convex(const Shape<T>& shape, const LocalRay& ray, bool hit, Trace&
   conclude(made, hit, ray.end, trace);
 }
 
-/// Whether the ray hits, and how far it was followed.
+/// Whether the ray hits, and the length up to which it was followed.
 struct RayOutcome {
   bool hit;
   double until;
 };
 
-/// A shape of any kind in the frame where it stands; the piece that is hit, of a composite.
+/// Explains a shape of any kind in its frame; for a composite the piece that is hit.
 template <class T>
 void explain_placed(const Shape<T>& shape, const Frame& frame, const LocalRay& outer,
                     std::optional<std::uint32_t> piece, const RayOutcome& outcome, Trace& trace) {
@@ -112,7 +112,7 @@ void explain_placed(const Shape<T>& shape, const Frame& frame, const LocalRay& o
     count_visits(data.tree, ray, outcome.until, trace);
     trace.pieces += data.unbounded.size();
     made_of = "child", count = data.children.size();
-    // Of a child that is a composite itself the ordinary routine tells which of its pieces it is.
+    // For a child that is a composite itself, the ordinary routine finds which of its pieces is hit.
     if (piece) {
       const Placed<T>& child = data.children[*piece];
       const Frame placed = frame_of(child.pose);

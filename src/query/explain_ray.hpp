@@ -1,15 +1,15 @@
-// What an explanation says of a ray.
+// Explanation of a ray cast.
 //
-// Guarantee: made after the answer and from it; nothing here is run, and nothing of it decides, when no explanation is
-// asked for.
+// Guarantee: made from the answer and after it; nothing here runs without a request for an explanation, nor has an
+// influence on an answer.
 #pragma once
 
 #include "graze/raycast.hpp"
 
 namespace graze {
 
-/// Writes what the ray meets of the shape: the spans of a closed form, the steps of an advancing ray, and of a
-/// composite how much of its tree is visited and what the piece that is hit is like.
+/// Writes the steps of a ray cast: the spans of a closed form, the steps of an advancing ray, and for a composite the
+/// visited part of its tree and the explanation of the piece that is hit.
 template <class T>
 void explain_ray(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length, BackFaces back,
                  const std::optional<RayHit<T>>& hit, Trace& trace);

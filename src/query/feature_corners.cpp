@@ -10,10 +10,10 @@ namespace {
 template <class T>
 using Corners = SmallVector<Vec3<T>, 8>;
 
-/// Of an edge of a shape with fewer vertices than that its two follow from the number (`edge_feature`).
+/// Number of vertices of a shape below which an edge's two vertices follow from its number (`edge_feature`).
 constexpr std::uint32_t certain_edges = 127;
 
-/// Corners of what `vertex(i)` names, of `count` vertices; of a face those of `loop`.
+/// The corners of a feature of a shape with `count` vertices, which `vertex(i)` returns; those of a face are `loop`.
 template <class T, class Vertex>
 Corners<T> named(const Feature& feature, std::uint32_t count, const Vertex& vertex,
                  std::initializer_list<std::uint32_t> loop) {
@@ -73,7 +73,7 @@ Corners<T> corners_of(const ConvexHull<T>& hull, const Feature& feature) {
   }
   return corners;
 }
-/// What is round or endless.
+/// Round or unbounded shapes have no corners.
 template <class T, class C>
 Corners<T> corners_of(const C&, const Feature&) {
   return {};
@@ -94,7 +94,7 @@ SmallVector<Vec3<T>, 8> feature_corners(const Shape<T>& shape, std::uint32_t pie
   }
   if (piece >= compound->children().size()) return {};
   const Placed<T>& child = compound->children()[piece];
-  // Of a composite in a compound nobody knows the piece.
+  // The piece of a composite in a compound is unknown.
   if (child.shape.template as<Compound<T>>()) return {};
   Corners<T> corners = feature_corners(child.shape, 0, feature);
   for (Vec3<T>& corner : corners) corner = transform(child.pose, corner);

@@ -10,8 +10,8 @@ namespace graze {
 
 namespace {
 
-/// The traced questions, each the ordinary answer and then its explanation. By themselves, so that the ordinary ones
-/// only pass their question on: with both in one function contacts of spheres and boxes took a tenth longer.
+/// The traced queries, each the ordinary answer followed by its explanation. Out of line, so that the ordinary ones
+/// only pass their arguments on: with both in one function contacts of spheres and boxes took a tenth longer.
 template <class T>
 [[gnu::noinline]] bool traced_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                                       const Pose<T>& pose_b, Trace& trace) {

@@ -24,7 +24,7 @@ std::optional<RayHit<T>> box_hit(const Vec3<T>& half, const Pose<T>& pose, const
   return hit;
 }
 
-/// Of the concrete shape C, which is convex. One function, so that numbers stay in registers.
+/// The hit at the concrete shape C, which is convex. One function, so that numbers stay in registers.
 template <class C, class T>
 GRAZE_FLATTEN std::optional<RayHit<T>> convex_hit(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
                                                   T length, BackFaces back) {

@@ -1,8 +1,7 @@
-// What casts of one ray and of many have in common: the ray in the frame of what it is cast at, everything that it hits
-// there, and a hit in the caller's frame.
+// The common part of casts of one ray and of many: the ray in a shape's frame, all of its hits there, and a hit in the
+// caller's frame.
 //
-// Guarantee: all in double, whatever the caller's scalar is; hits are told with where they lie along the ray, in
-// whichever order.
+// Guarantee: all in double, whatever the caller's scalar is; hits carry their position along the ray, in any order.
 #pragma once
 
 #include "composite/leaves.hpp"
@@ -29,15 +28,15 @@ GRAZE_FLATTEN std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, con
   if constexpr (!std::is_same_v<T, float>) direction = direction / max_abs(direction);
   const double end = end_of(ray, direction, length);
   if (end < 0) return {};
-  // Of unit length before it is turned: root and division do not wait for the frame.
+  // Normalised before the rotation, so that root and division do not wait for the frame.
   LocalRay local =
       seen_from(frame, {converted<double>(ray.origin), direction * (1 / graze::length(direction)), 0, end, 0});
   local.blur = 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * graze::length(local.origin);
   return local;
 }
 
-/// Calls `report(hit, triangle)` for what the ray hits of a shape that is no compound; `report` returns how far the ray
-/// has still to be followed, less than zero for no further.
+/// Calls `report(hit, triangle)` for the hits of a ray at a shape that is no compound; `report` returns the length up
+/// to which the ray is still to be followed, less than zero to end.
 template <class T, class Report>
 [[gnu::always_inline]] inline void visit_single(const Shape<T>& shape, const LocalRay& ray, BackFaces back,
                                                 const Report& report) {
@@ -50,9 +49,9 @@ template <class T, class Report>
   if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, 0u);
 }
 
-/// Calls `found(hit, piece)` for what the ray hits of a compound; `found` returns how far the ray has still to be
-/// followed. `frame` places it in the frame of the outermost one, which is the ray's and the hits'; `piece` is the
-/// child of that, or null for the outermost itself.
+/// Calls `found(hit, piece)` for the hits of a ray at a compound; `found` returns the length up to which the ray is
+/// still to be followed. `frame` is the compound's in the frame of the outermost one, in which the ray and the hits are
+/// given; `piece` is the child of the outermost, or null for the outermost itself.
 template <class T, class Found>
 [[gnu::noinline]] void visit_children(const Compound<T>& compound, const Frame& frame, LocalRay& outer, BackFaces back,
                                       const std::uint32_t* piece, Found& found) {
@@ -74,7 +73,7 @@ template <class T, class Found>
   for (const std::uint32_t number : data.unbounded)
     if (!cast_at_child(number)) return;
   if (data.tree.empty()) return;
-  // Some ten operations on coordinates up to these.
+  // Rounding of some ten operations on coordinates up to these.
   const Aabb<T>& all = data.tree.bounds();
   const auto extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
   const double slack = ray.blur + 16 * rays::epsilon * (extent + max_abs(ray.origin));
@@ -83,7 +82,7 @@ template <class T, class Found>
       slack);
 }
 
-/// The same of any shape, in its own frame.
+/// Calls `found(hit, piece)` for the hits of a ray at any shape, in its own frame.
 template <class T, class Found>
 [[gnu::always_inline]] inline void visit_hits(const Shape<T>& shape, LocalRay& ray, BackFaces back, Found& found) {
   if (const auto* compound = shape.template as<Compound<T>>())
@@ -92,7 +91,7 @@ template <class T, class Found>
     visit_single(shape, ray, back, found);
 }
 
-/// The first of equals is that of the least piece, in whichever order they are found.
+/// A hit; of equal ones the one of the least piece comes first, in whichever order they are found.
 struct Candidate {
   LocalHit hit{rays::infinity, {}, {}};
   std::uint32_t piece = 0;
@@ -109,7 +108,7 @@ inline bool before(const Candidate& a, const Candidate& b) {
   return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.piece < b.piece;
 }
 
-/// Infinitely far along the ray where it hits nothing.
+/// The first hit; infinitely far along the ray where it misses.
 template <class T>
 [[gnu::always_inline]] inline Candidate first_hit(const Shape<T>& shape, LocalRay& ray, BackFaces back) {
   Candidate first;

@@ -6,7 +6,7 @@ namespace graze {
 
 namespace {
 
-/// The core's support, at whichever end of the motion lies further along.
+/// The core's support function, at the end of the motion that lies further along.
 template <class T>
 class SweptCore final : public SupportFunction<T> {
  public:

@@ -11,7 +11,7 @@ namespace graze {
 
 namespace {
 
-/// The special pair of two kinds that stand in order.
+/// The special pair of two kinds in order.
 template <class A, class B, class T, class First, class... Rest>
 constexpr auto find_pair(Pairs<First, Rest...>) {
   if constexpr (std::is_same_v<typename First::template A<T>, A> && std::is_same_v<typename First::template B<T>, B>)
@@ -32,7 +32,7 @@ InPlace<C, T> in_place(const C& shape, const Pose<T>& pose) {
   return {shape, T(0), pose};
 }
 
-/// Where the pair's own routine has no answer. By themselves, so that those who need none of it do not pay for it.
+/// The answers where the pair's own routine has none. Out of line, so that other pairs do not pay for it.
 template <class A, class B, class T>
 [[gnu::noinline]] bool overlap_as_shapes(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {
   return convex_overlap<T>(a, pose_a, b, pose_b);
@@ -54,7 +54,7 @@ template <class A, class B, class T, std::size_t N>
   return distance;
 }
 
-/// Where the pair's own routine knows the closest points of two shapes that may touch in more.
+/// The contacts where the pair's own routine found the closest points of two shapes that may touch in more.
 template <class P, class A, class B, class T, std::size_t N>
 [[gnu::noinline]] GRAZE_FLATTEN T more_contacts(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b,
                                                 T margin, FixedManifold<T, N>& manifold) {
@@ -65,7 +65,7 @@ template <class P, class A, class B, class T, std::size_t N>
   return contacts_as_shapes(a, pose_a, b, pose_b, margin, manifold);
 }
 
-/// Of two shapes in order.
+/// Fills the contacts of two shapes in order.
 template <class A, class B, class T, std::size_t N>
 void fill_contacts(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b, T margin,
                    FixedManifold<T, N>& manifold) {
@@ -125,7 +125,7 @@ requires TypedPair<A, B> GRAZE_FLATTEN Distance<T> distance(const A<T>& a, const
 template <template <class> class A, template <class> class B, class T>
 requires TypedPair<A, B> GRAZE_FLATTEN typename detail::FixedManifoldOf<A, B, T>::type
 contacts(const A<T>& a, const Pose<T>& pose_a, const B<T>& b, const Pose<T>& pose_b, T margin) {
-  // In the outermost block: of one within, g++ 12 returns a copy.
+  // In the outermost block: g++ 12 copies a return value from an inner one.
   typename detail::FixedManifoldOf<A, B, T>::type manifold;
   if constexpr (in_order<A<T>, B<T>, T>()) {
     fill_contacts(a, pose_a, b, pose_b, margin, manifold);

@@ -1,4 +1,4 @@
-// Where lines cross a box about the origin (Kay, Kajiya 1986, "Ray tracing complex scenes"), of one line or of a
+// Intersection of lines with a box about the origin (Kay, Kajiya 1986, "Ray tracing complex scenes"), one line or a
 // register of them.
 //
 // Guarantee: exact operations in the order written; a lane has the bits of one line alone. Everything is inlined, so
@@ -10,7 +10,7 @@
 
 namespace graze::rays {
 
-/// Minus the sign of `d` where `by` holds, else 0. Counted, since nobody foresees by which face a ray enters.
+/// Minus the sign of `d` where `by` holds, else 0. Without a branch, since the entry face is unpredictable.
 [[gnu::always_inline]] inline double minus_sign(bool by, double d) {
   return static_cast<double>(int(by & (d < 0)) - int(by & (d > 0)));
 }
@@ -32,18 +32,19 @@ class BoxCrossing {
         enter_(greatest(x_.enter, greatest(y_.enter, z_.enter))),
         leave_(least(x_.leave, least(y_.leave, z_.leave))) {}
 
-  /// In lengths of the direction; infinite where the line runs along every face that it is between.
+  /// Parameter of entry, in lengths of the direction; infinite where the line is parallel to every face that it is
+  /// between.
   [[gnu::always_inline]] const S& enter() const { return enter_; }
   [[gnu::always_inline]] const S& leave() const { return leave_; }
   [[gnu::always_inline]] Mask met() const { return (!(x_.missed | y_.missed | z_.missed)) & (enter_ <= leave_); }
-  /// The normal of the face that it enters by; of several, the first's.
+  /// The normal of the face by which the line enters, the first of several.
   [[gnu::always_inline]] Vec3<S> normal() const {
     const Mask by_x = enter_ == x_.enter, by_y = (!by_x) & (enter_ == y_.enter), by_z = !(by_x | by_y);
     return {minus_sign(by_x, direction_.x), minus_sign(by_y, direction_.y), minus_sign(by_z, direction_.z)};
   }
 
  private:
-  /// Between two planes.
+  /// The space between two planes.
   struct Slab {
     S enter, leave;
     Mask missed;

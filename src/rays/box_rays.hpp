@@ -1,8 +1,8 @@
-// Rays at a box: from the caller's frame and back in one go.
+// Rays at a box: from the caller's frame and back in one function.
 //
-// Guarantee: a ray among many gets the bits that it gets alone, at every level. Whether it hits waits for no division
-// but those by its direction's components: the box is seen through a matrix that stands times the squared length of its
-// quaternion, and the ray's direction has the length that it was given.
+// Guarantee: a ray among many gets the bits that it gets alone, at every level. The hit test waits for no division but
+// those by its direction's components: the box is transformed by a matrix that is multiplied by the squared length of
+// its quaternion, and the ray's direction keeps its given length.
 #pragma once
 
 #include "graze/result.hpp"
@@ -13,12 +13,12 @@
 
 namespace graze::rays {
 
-/// What the rays at one box share. Made in its place: numbers that are copied together right after they were written
-/// one by one wait for the memory.
+/// Data that the rays at one box share. Constructed in place: a copy right after numbers were stored one by one waits
+/// for the stores.
 struct TurnedBox {
   ScaledRotation<double> turn;
   double per_scale;
-  Vec3d half;  ///< times the scale
+  Vec3d half;  ///< multiplied by the scale
   Vec3d translation;
 
   template <class T>
@@ -29,8 +29,8 @@ struct TurnedBox {
         translation(converted<double>(pose.translation)) {}
 };
 
-/// The half extents of a box that the kernels know: not rounded, and with two sides at least that have a length, since
-/// to rays it is a segment else. Null of any other shape.
+/// The half extents of a box that the kernels take: without rounding, and with at least two sides of a length, since
+/// for rays it is a segment otherwise. Null for other shapes.
 template <class T>
 const Vec3<T>* plain_box(const Shape<T>& shape) {
   const auto* box = shape.template as<Box<T>>();
@@ -46,10 +46,10 @@ namespace graze {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// Whether a ray hits a box that is not rounded, and where.
+    /// Intersects one ray with a box without rounding: returns whether it hits, and sets the hit.
     template <class T> bool ray_at_box(const Vec3<T>& half, const Pose<T>& pose, const Ray<T>& ray, T length,
                                        RayHit<T>& hit);
-    /// Of up to `RayBlock::size` rays, six numbers each, which hit: `state`, and the hits. `ray_again` where rounding
+    /// Intersects up to `RayBlock::size` rays, six numbers each: sets `state`, and the hits. `ray_again` where rounding
     /// has turned a normal along the ray.
     template <class T> void rays_at_box(rays::RayBlock& block, const T* rays, std::size_t count, T length,
                                         const rays::TurnedBox& box, rays::BlockHits<T>& hits);)

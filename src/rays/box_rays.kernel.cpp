@@ -12,7 +12,7 @@ using S = Lanes<double>;
 using V = Vec3<S>;
 using rays::BoxCrossing;
 
-/// A box with the rays that see it.
+/// The crossing of rays with a box.
 template <class N>
 [[gnu::always_inline]] inline BoxCrossing<N> crossing_of(const rays::TurnedBox& box, const Vec3<N>& origin,
                                                          const Vec3<N>& direction) {
@@ -25,8 +25,8 @@ template <class N>
   return converted<N>(box.turn.matrix) * crossing.normal() * N(box.per_scale);
 }
 
-/// Directions of float are squared as they are; of those of double that might over- or underflow. No number remains of
-/// zeros and infinities.
+/// A direction whose square neither over- nor underflows: those of float are unchanged, those of double scaled. Zeros
+/// and infinities become NaN.
 template <class T, class N>
 [[gnu::always_inline]] inline Vec3<N> squarable(const Vec3<N>& direction) {
   if constexpr (sizeof(T) == 4) return direction;

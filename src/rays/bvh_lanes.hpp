@@ -1,8 +1,8 @@
-// What the way of a ray down a tree of triangles is made of: the ray in a node's eight-bit steps, the children that it
+// Steps of a ray's traversal of a tree of triangles: the ray in a node's eight-bit coordinates, the children that it
 // enters, and the triangles of a leaf that it may cross. Only for `*.kernel.cpp`.
 //
-// Guarantee: as `bvh_traversal.hpp`: nothing is left out that the ray crosses. Everything is inlined or lives in the
-// namespace of the level.
+// Guarantee: that of `bvh_traversal.hpp`: no triangle that the ray crosses is left out. Everything is inlined or lives
+// in the namespace of the level.
 #pragma once
 
 #include "rays/bvh_traversal.hpp"
@@ -12,7 +12,7 @@ namespace graze::GRAZE_ISA::tree {
 
 inline constexpr int width = TreeNode<float>::width;
 
-/// The children of a node in one register or two.
+/// Number of registers that hold the children of a node: one or two.
 inline constexpr int part_lanes = register_bytes >= 32 ? 8 : 4, parts = width / part_lanes;
 using ChildLanes = Wide<float, part_lanes>;
 using Quad = Wide<float, 4>;
@@ -23,7 +23,7 @@ template <class V>
   return reinterpret_cast<V>(from);
 }
 
-/// `least` and `greatest`, which select by a mask, in one instruction; the second of equals, and for no number.
+/// `least` and `greatest`, which select by a mask, in one instruction; the second operand for equal ones, and for NaN.
 template <int N>
 [[gnu::always_inline]] inline Wide<float, N> lesser(const Wide<float, N>& a, const Wide<float, N>& b) {
   using W [[maybe_unused]] = Wide<float, N>;
@@ -70,7 +70,7 @@ template <int N>
 #endif
 }
 
-/// Four words of sixteen bits as numbers.
+/// Four 16-bit words as numbers.
 [[gnu::always_inline]] inline Quad load_words(const std::uint16_t* from) {
 #if defined(__SSE2__)
   const __m128i words = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(from));
@@ -82,8 +82,8 @@ template <int N>
 #endif
 }
 
-/// A key is made of the bits of a positive number, the last of which give way to the child's place: all keys of a node
-/// then differ, and order as integers as they do as numbers.
+/// A key consists of the bits of a positive number, the last of which are replaced by the child's slot: all keys of a
+/// node then differ, and order as integers as they do as numbers.
 inline constexpr std::int32_t absent = 0x7f7fffff;
 
 [[gnu::always_inline]] inline std::int32_t number_bits(float number) {
@@ -92,14 +92,14 @@ inline constexpr std::int32_t absent = 0x7f7fffff;
   return bits;
 }
 
-/// Those of `count` children.
+/// The keys of `count` children.
 template <int count>
 struct KeysOf {
   static constexpr int parts = count / part_lanes;
   static constexpr std::int32_t place_bits = count - 1;
   ChildLanes part[parts];
 
-  /// The children's places, from the part's first on.
+  /// The children's slots, from the part's first on.
   [[gnu::always_inline]] static ChildLanes::BitVector places(int k) {
     ChildLanes::BitVector place{};
     for (int i = 0; i < part_lanes; ++i) place[i] = k * part_lanes + i;
@@ -123,7 +123,7 @@ struct KeysOf {
     q = lesser(q, Quad::of(__builtin_shufflevector(q.v, q.v, 1, 0, 3, 2)));
     return number_bits(q[0]);
   }
-  /// One bit for each key up to `limit`.
+  /// A bit for each key up to `limit`.
   [[gnu::always_inline]] std::uint32_t up_to(std::int32_t limit) const {
     std::uint32_t bits = 0;
     for (int k = 0; k < parts; ++k)
@@ -161,34 +161,34 @@ template <class T>
   return Wide<T, 4>::of(__builtin_convertvector(d.v, typename Wide<T, 4>::Vector));
 }
 
-/// The ray in numbers of the tree's, and of single precision where they are in units of `unit`, so that none over- or
-/// underflows. A key tells how far along the ray from 2 radii before its origin: what is met has a positive one.
+/// The ray in numbers of the tree's type, and in single precision in units of `unit`, so that none over- or underflows.
+/// Keys measure positions along the ray from 2 radii before its origin, so that all hits have positive ones.
 template <class T>
 struct BvhRay {
   // For the boxes, an axis a lane: a step of the node's frame is `inverse` times it along the ray, and the frame's
   // origin `inverse` times it less `first` at the earliest, less `last` at the latest.
   Wide<T, 4> inverse, first, last;
-  std::uint32_t enter[3], leave[3];  ///< which bytes of a node have the sides that the ray comes to first and last
+  std::uint32_t enter[3], leave[3];  ///< offsets in a node of the sides that the ray comes to first and last
   float begin;                       ///< a key
 
   std::uint32_t axis[3];  ///< for the triangles: the coordinate that is x, y and z of a frame along the ray
   T sheared_origin[3];    ///< that frame's origin, in its own order
   T scale, part_scale;    ///< 1 / unit, and that for a part of a step
   float shear_x, shear_y;
-  float off;  ///< by how much rounding may move a corner in the frame
+  float off;  ///< displacement of a corner in the frame by rounding
 
   double start, per_length, around;
 
-  /// What no key exceeds of what the ray meets by `t`; not above zero if it meets nothing.
+  /// An upper bound of the keys of all that the ray meets by `t`; not above zero if it meets nothing.
   [[gnu::always_inline]] float key(double t) const {
     const double number = (t - start) * per_length + around;
     return static_cast<float>(number < 0x1p100 ? number : 0x1p100) * (1 + 4 * static_cast<float>(single));
   }
 
-  [[gnu::always_inline]] BvhRay() {}  // NOLINT(modernize-use-equals-default): leaves the lanes as they are
+  [[gnu::always_inline]] BvhRay() {}  // NOLINT(modernize-use-equals-default): leaves the lanes uninitialised
   template <class Question>
   [[gnu::always_inline]] explicit BvhRay(const Question& q) {
-    // Any multiple of the radius of which the inverse, times 2^33, is a number in T.
+    // Any multiple of the radius whose inverse, times 2^33, is a number in T.
     constexpr double greatest_unit = sizeof(T) == 4 ? 0x1p80 : 0x1p900;
     double unit = 8 * q.radius;
     unit = unit < greatest_unit ? unit : greatest_unit;
@@ -197,24 +197,24 @@ struct BvhRay {
     start = -2 * q.radius;
     // Coordinates are up to M = 2 (extent + 2 radii). Rounding in T moves a crossing, times the direction, by less than
     // 2 epsilon of M (half a one for the bounds themselves, a product, the constants and their difference) and 4 of the
-    // radius, that in float by 9 epsilon of the radius, and that of the ray itself by some ten of double's.
+    // radius, rounding in float by 9 epsilon of the radius, and rounding of the ray itself by some ten of double's.
     const double most = 2 * (q.extent + 2 * q.radius);
     const double blur = (4 * rounding_of<T> + 16 * rounding_of<double>)*most + 32 * single * q.radius;
     around = 2 * blur * per_length + static_cast<double>(least_float);
-    // Of a coordinate of the frame along the ray: in T half an epsilon of each number, in float less than 28 of the
-    // radius.
+    // Error of a coordinate of the frame along the ray: in T half an epsilon of each number, in float less than 28 of
+    // the radius.
     off = static_cast<float>((8 * rounding_of<T> * most + 32 * single * q.radius) * per_length);
     scale = static_cast<T>(per_length);
     part_scale = static_cast<T>(per_length * (1.0 / PackedLeaf::parts));
 
-    // No branch on a sign: whoever casts rays every way would pay for it.
+    // No branch on a sign, which would cost callers who cast rays in all directions.
     const double x = q.direction[0], y = q.direction[1], z = q.direction[2];
     const Doubles d = doubles(x, y, z), from = doubles(q.origin[0], q.origin[1], q.origin[2]) + d * Doubles(start);
-    // What is slower than this crosses less than a rounding of the radius in single precision.
+    // Slower components cross less than a rounding of the radius in single precision.
     constexpr double slowest = 0x1p-32;
     const Doubles inverse_size = Doubles(1.0) / (greatest(abs(d), Doubles(slowest)) * Doubles(unit));
     inverse = narrowed<T>(select(d < Doubles(0.0), -inverse_size, inverse_size));
-    // With the inverse as rounded: what that is off by then goes with the distance and not with the coordinates.
+    // With the rounded inverse: its error then grows with the distance and not with the coordinates.
     const Doubles at = from * Doubles::of(__builtin_convertvector(inverse.v, Doubles::Vector));
     const Doubles widening = inverse_size * Doubles(blur) + Doubles(static_cast<double>(least_float));
     first = narrowed<T>(at + widening);
@@ -248,7 +248,7 @@ struct Frame {
     const Quad from = Quad::load(node.origin) * bvh_ray.inverse;
     first = from - bvh_ray.first;
     last = from - bvh_ray.last;
-    // Not from `step` on: what follows it are no numbers, which some processors are slow at.
+    // Not from `step` on: behind it are NaNs, which some processors are slow at.
     const Quad steps = Quad::load(node.origin + 2);
     scale = Quad::of(__builtin_shufflevector(steps.v, steps.v, 1, 2, 3, 3)) * bvh_ray.inverse;
   }
@@ -262,7 +262,7 @@ struct Frame {
   }
 };
 
-/// Where the ray enters each of a node's children by `limit`.
+/// The keys at which the ray enters each of a node's children by `limit`.
 template <class T>
 [[gnu::always_inline]] inline Keys crossed(const BvhRay<T>& bvh_ray, const TreeNode<T>& node, float limit) {
   const Frame frame(bvh_ray, node);
@@ -287,20 +287,20 @@ template <class T>
   return keys;
 }
 
-/// Asks for a child that will be needed soon, perhaps.
+/// Prefetches a child that may be needed soon.
 template <class T>
 [[gnu::always_inline]] inline void fetch(const TreeNode<T>* nodes, const PackedLeaf* leaves, const TreeNode<T>& node,
                                          std::uint32_t place) {
   const auto inner = reinterpret_cast<std::uintptr_t>(nodes) + sizeof node * (node.first_child + place);
   const auto leaf = reinterpret_cast<std::uintptr_t>(leaves) + sizeof *leaves * (node.first_leaf + place - node.inner);
-  // Which of the two cannot be foreseen: no branch.
+  // Which of the two is unpredictable: no branch.
   const std::uintptr_t if_inner = -static_cast<std::uintptr_t>(place < node.inner);
   const auto* child = reinterpret_cast<const char*>(leaf ^ ((inner ^ leaf) & if_inner));
   __builtin_prefetch(child);
   __builtin_prefetch(child + 64);
 }
 
-/// One bit for each triangle of a leaf that the ray may cross.
+/// A bit for each triangle of a leaf that the ray may cross.
 template <class T>
 [[gnu::always_inline]] inline std::uint32_t left(const BvhRay<T>& bvh_ray, const TreeNode<T>& node,
                                                  const PackedLeaf& leaf) {

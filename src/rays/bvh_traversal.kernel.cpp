@@ -6,7 +6,7 @@ using namespace tree;
 
 template <class T>
 void traverse_bvh(const BvhQuestion<T>& question) {
-  /// A node with those of its children that the ray has still to visit, the first of them by itself.
+  /// A node with its children that the ray has still to visit, and the key of the first of them.
   struct alignas(64) Entry {
     float keys[width];
     const TreeNode<T>* node;
@@ -30,11 +30,11 @@ void traverse_bvh(const BvhQuestion<T>& question) {
     }
     keys.remove(key);
     const auto place = static_cast<std::uint32_t>(key & Keys::place_bits);
-    // What comes after this child is fetched while that is worked on.
+    // The successor of this child is fetched while this one is processed.
     key = keys.least();
     fetch(question.nodes, question.leaves, *node, static_cast<std::uint32_t>(key & Keys::place_bits));
     if (place < node->inner) {
-      // Written in any case and kept if there is more to come: which is hard to foresee.
+      // Written in any case and kept if there are more children, which is unpredictable.
       stack[waiting].node = node;
       stack[waiting].key = key;
       keys.store(stack[waiting].keys);

@@ -1,12 +1,12 @@
-// Rays against a core plus a ball, known by its distance: van den Bergen 2004, "Ray casting against general convex
-// objects with application to continuous collision detection", each step with the core's distance in full.
+// Rays against a core plus a ball, given by its distance: van den Bergen 2004, "Ray casting against general convex
+// objects with application to continuous collision detection", each step with the core's exact distance.
 //
 // Along a ray the distance to a convex set is a convex function. Each step goes to where the ray meets the supporting
 // plane at the nearest point, which is Newton's method on that function from its left: it never passes the surface, and
-// doubles its digits but where the ray grazes, where it gains one binary digit a step.
+// doubles its digits except where the ray grazes, where it gains one binary digit a step.
 //
-// Guarantee: a plane that the ray does not meet proves a miss; a hit lies within `slack` of the surface, and of all
-// normals that were seen it has the one beyond whose plane the shape reaches least.
+// Guarantee: a plane that the ray does not meet proves a miss; a hit lies within `slack` of the surface, and its normal
+// is, among all normals seen, the one beyond whose plane the shape reaches least.
 #pragma once
 
 #include "rays/local_ray.hpp"
@@ -14,20 +14,21 @@
 
 namespace graze::rays {
 
-/// A supporting plane of a core: how far the point asked about lies outside of it (<= 0 when it is in the core), and
-/// its unit normal.
+/// A supporting plane of a core: the distance of the queried point outside of it (<= 0 when the point is in the core),
+/// and its unit normal.
 struct PointDistance {
   double distance;
   Vec3d normal;
 };
 
-/// A grazing ray gains one binary digit a step and there are 53; a support function that is not exact may cost some.
+/// A grazing ray gains one binary digit a step and there are 53; an inexact support function may cost some more.
 inline constexpr int advance_steps = 128;
 
-/// The best normal found at a point: of the planes through the point, that which the core plus its ball crosses least.
+/// The best normal found at a point: among the planes through the point, the one that the core plus its ball crosses
+/// least.
 struct BestNormal {
   Vec3d normal;
-  double beyond = infinity;  ///< how far the shape reaches beyond the plane
+  double beyond = infinity;  ///< extent of the shape beyond the plane
 
   void consider(const Vec3d& candidate, double crossed) {
     if (!(crossed < beyond)) return;
@@ -36,9 +37,9 @@ struct BestNormal {
   }
 };
 
-/// Looks for a better normal at `p` from a point that stands off from it: near the core the direction to the nearest
-/// point is all rounding, from afar it is sharp. From p + n h, where n is off by an angle, the nearest point of a core
-/// with radius of curvature R is off by h / (R + h) of that angle only: each turn gains.
+/// Searches a better normal at `p` from a point that stands off from it: near the core the direction to the nearest
+/// point is mere rounding, from afar it is sharp. From p + n h, where n is off by an angle, the nearest point of a core
+/// with radius of curvature R is off by only h / (R + h) of that angle: each turn gains.
 template <class DistanceAt>
 void sharpen(BestNormal& best, const LocalRay& ray, const Vec3d& p, const DistanceAt& distance_at, double radius,
              double size, double slack) {
@@ -53,7 +54,7 @@ void sharpen(BestNormal& best, const LocalRay& ray, const Vec3d& p, const Distan
   }
 }
 
-/// The hit of a core with a ball. `distance_at(p)` is the `PointDistance` of the core, which lies within `reach` of the
+/// The hit of a core plus a ball. `distance_at(p)` is the `PointDistance` of the core, which lies within `reach` of the
 /// frame's origin without its ball of `radius`.
 template <class DistanceAt>
 MaybeHit hit_rounded(const LocalRay& far, const DistanceAt& distance_at, double radius, double reach, double slack) {

@@ -13,15 +13,16 @@ double wide(T value) {
   return static_cast<double>(value);
 }
 
-/// How close an advancing ray comes. A user's support function answers in the shape's scalar, and is as exact as that.
+/// Distance at which an advancing ray counts as hitting. A user's support function answers in the shape's scalar, and
+/// is as exact as that.
 template <class C, class T>
 double slack_of(const C& concrete, T margin) {
   const double unit = std::is_same_v<C, UserConvex<T>> ? 8 * wide(std::numeric_limits<T>::epsilon()) : 0;
   return greatest(rounding_error, unit) * (wide(concrete.core_extent()) + wide(margin));
 }
 
-/// By itself, so that the closed forms are short enough to stand where they are called; the ray by value, so that its
-/// numbers need no place in memory for those.
+/// The hit by advancement. Out of line, so that the closed forms are short enough to be inlined; the ray by value, so
+/// that its numbers need no place in memory for those.
 template <class T, class C, class DistanceAt>
 [[gnu::noinline]] MaybeHit rounded(const C& concrete, T margin, LocalRay ray, DistanceAt gap) {
   return hit_rounded(ray, gap, wide(margin), wide(concrete.core_extent()), slack_of(concrete, margin));
@@ -92,7 +93,7 @@ MaybeHit cast_at(const HalfSpace<T>&, T margin, const LocalRay& ray, BackFaces) 
   return hit_half_space(ray, wide(margin));
 }
 
-/// Asking about the ball first would cost as much as the answer.
+/// Whether a kind is cast at without a test of its bounding ball, which would cost as much as the answer.
 template <class C>
 inline constexpr bool cast_at_once = false;
 template <class T>

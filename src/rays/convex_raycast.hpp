@@ -7,11 +7,12 @@
 
 namespace graze {
 
-/// Where the ray enters a convex shape or crosses a triangle; t along the ray as given.
+/// The hit where the ray enters a convex shape or crosses a triangle; t along the given ray.
 template <class T>
 rays::MaybeHit convex_raycast(const Shape<T>& shape, const rays::LocalRay& ray, BackFaces back);
 
-/// The radius of a ball about a bounded shape's origin that holds it, for all that its numbers' sum rounds in T.
+/// The radius of a ball about a bounded shape's origin that contains the shape, enlarged by the rounding of the sum in
+/// T.
 template <class C, class T>
 double ball_around(const C& concrete, T margin) {
   const auto wide = [](T value) { return static_cast<double>(value); };

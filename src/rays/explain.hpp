@@ -1,8 +1,8 @@
-// What an explanation says of a ray at a convex shape, in the shape's own frame: the spans of the ray that meet each
-// condition of a closed form, or the steps of an advancing ray.
+// Explanation of a ray at a convex shape, in the shape's own frame: the spans of the ray that meet each condition of a
+// closed form, or the steps of an advancing ray.
 //
-// Guarantee: for show, after the answer. Spans are as exact as double gives them at once, without the care for far
-// origins and grazing that the answer takes.
+// Guarantee: made after the answer. Spans are as exact as plain double arithmetic, without the answer's care for far
+// origins and grazing rays.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace graze::rays {
 
-/// How a shape is made of the conditions that its spans are of.
+/// Combination of the conditions that make up a shape: all, any, or none where the ray advances by steps.
 enum class Made { of_all, of_any, by_steps };
 
 /// Fills `trace` with the spans or steps of a ray at one shape.
@@ -111,7 +111,7 @@ class RayExplanation {
     trace_.spans.push_back({std::move(name), met ? normal : Vec3d{}, span.enter, span.leave});
   }
 
-  /// Where the ray is behind a plane.
+  /// The span in which the ray is behind a plane.
   Span behind_span(const Vec3d& normal, double offset) const {
     const double above = dot(normal, ray_.origin) - offset, along = dot(normal, ray_.direction);
     if (along == 0) return above <= 0 ? Span{-infinity, infinity} : Span{};
@@ -131,7 +131,7 @@ class RayExplanation {
     trace_.method = "quadratic";
   }
 
-  /// Two balls and the cone that touches both, the ray being in their hull from the first of the spans to the last.
+  /// Two balls and the cone tangent to both; the ray is in their hull from the first of the spans to the last.
   Made balls(const Vec3d& a, double radius_a, const Vec3d& b, double radius_b) {
     const double height = length(b - a);
     if (height <= std::abs(radius_a - radius_b)) {
@@ -146,7 +146,7 @@ class RayExplanation {
     return Made::of_any;
   }
 
-  /// From where a ray that comes from far away enters to where one that comes back does.
+  /// The span from the hit of the ray, coming from far away, to that of its reverse.
   template <class Hit>
   Span crossing_span(const Hit& hit, double reach) const {
     const double far = length(ray_.origin) + 4 * reach;
@@ -156,8 +156,8 @@ class RayExplanation {
     return first && last ? Span{first->t - far, 2 * far - last->t} : Span{};
   }
 
-  /// The infinite cone or cylinder about y: |across|^2 - radius^2 is quadratic in t; of a cone only the nappe that the
-  /// frustum is of counts.
+  /// The infinite cone or cylinder about y: |across|^2 - radius^2 is quadratic in t; of a cone only the nappe of the
+  /// frustum counts.
   void side(double half, double bottom, double top) {
     const double slope = half > 0 ? (top - bottom) / (2 * half) : 0, middle = (top + bottom) / 2;
     const Vec3d across{ray_.direction.x, 0, ray_.direction.z}, off{ray_.origin.x, 0, ray_.origin.z};
@@ -178,7 +178,7 @@ class RayExplanation {
     add("side", rho > 0 && rho < infinity ? normalized(Vec3d{p.x / rho, -slope, p.z / rho}) : Vec3d{}, span);
   }
 
-  /// The point of its plane, and where the ray is between the edges.
+  /// The slab of the polygon's plane, and the spans inside its edges.
   template <class Vertex>
   Made polygon(std::size_t count, const Vertex& vertex) {
     Vec3d area{};
@@ -198,14 +198,14 @@ class RayExplanation {
     add(std::move(name), against(ray_, axis), {greatest(below.enter, above.enter), least(below.leave, above.leave)});
   }
 
-  /// The advance towards a core with a ball, with what it is told of the gap on its way written down.
+  /// The steps of the advancement towards a core plus a ball, recorded from its distance queries.
   template <class C, class T, class DistanceAt>
   Made steps(const C& concrete, T margin, const DistanceAt& distance_at) {
     const double radius = wide(margin), size = wide(concrete.core_extent()) + radius;
     const auto noted = [&](const Vec3d& p) {
       const PointDistance gap = distance_at(p);
       const double t = dot(p - ray_.origin, ray_.direction);
-      // A point beside the ray, or behind the last, is asked about for a better normal.
+      // Points beside the ray, or behind the last step, belong to the search for a better normal.
       const bool beside = length(p - ray_.at(t)) > 1e-9 * (size + length(p - ray_.origin));
       if (!beside && (trace_.steps.empty() || t > trace_.steps.back().t))
         trace_.steps.push_back({t, gap.distance - radius, gap.normal});

@@ -5,7 +5,7 @@
 
 namespace graze::rays {
 
-/// The half-space y <= height.
+/// The hit of the half-space y <= height.
 template <class S>
 [[gnu::always_inline]] inline FoundHit<S> hit_half_space(const LocalRayOf<S>& ray, const S& height) {
   const S zero(0), above = ray.at(ray.begin).y - height, t = ray.begin - above / ray.direction.y;

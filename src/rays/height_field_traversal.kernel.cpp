@@ -12,7 +12,7 @@ constexpr int row_lanes = 4;
 typedef std::int32_t Places __attribute__((vector_size(16)));
 static_assert(FieldPyramid<float>::side == row_lanes);
 
-/// Four blocks or cells beside each other.
+/// Four adjacent blocks or cells.
 template <class T>
 struct Row {
   Wide<T, row_lanes> low, high;
@@ -33,8 +33,7 @@ template <class T>
 }
 constexpr int rows_of_part = part_lanes / row_lanes;
 
-/// The blocks of a height field. What is exact there is: that corners have the coordinates that `HeightFieldData`
-/// gives.
+/// The blocks of a height field. Corners have exactly the coordinates of `HeightFieldData`.
 template <class T>
 struct FieldHierarchy {
   using Scalar = T;
@@ -100,7 +99,7 @@ struct FieldHierarchy {
     Quad in, out;
   };
 
-  /// Where the ray comes to and leaves four blocks that follow each other along an axis, of which there are `blocks`.
+  /// The keys at which the ray enters and leaves four consecutive blocks along an axis, of which there are `blocks`.
   [[gnu::always_inline]] Slab slab(const BvhRay<T>& bvh_ray, int axis, std::uint32_t from, std::uint32_t blocks,
                                    std::uint32_t end, std::uint32_t level, T spacing) const {
     const std::int32_t back = bvh_ray.inverse[axis] < T(0), begin = static_cast<std::int32_t>(from);
@@ -154,7 +153,7 @@ struct FieldHierarchy {
                line[r].some & line[r + 1].some};
   }
 
-  /// Asks for what opening a block will read.
+  /// Prefetches the data for opening a block.
   [[gnu::always_inline]] void fetch(const Ref& at) const {
     if (at.level == 0) return;
     const bool cells = at.level == 1;
@@ -166,7 +165,7 @@ struct FieldHierarchy {
   }
 };
 
-/// As `RayStream` asks for it.
+/// The surface for `RayStream`.
 template <class T>
 struct FieldSurface : FieldHierarchy<T> {
   using Leaf = typename FieldHierarchy<T>::Leaf;
@@ -180,7 +179,7 @@ struct FieldSurface : FieldHierarchy<T> {
     add(1, true);
   }
 
-  /// As `HeightFieldData` has it.
+  /// A triangle with the corners of `HeightFieldData`.
   struct Triangle {
     T corners[3][3];
     [[gnu::always_inline]] T operator()(std::size_t corner, std::size_t axis) const { return corners[corner][axis]; }

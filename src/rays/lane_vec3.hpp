@@ -1,6 +1,6 @@
 // Vectors of lanes to and from memory. Only for `*.kernel.cpp`.
 //
-// Guarantee: everything is inlined or lives in the namespace of the level; numbers are copied, nothing else.
+// Guarantee: everything is inlined or lives in the namespace of the level; numbers are copied only.
 #pragma once
 
 #include "graze/vec3.hpp"
@@ -8,7 +8,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// The vectors from the place `at` on of an array a coordinate.
+/// The vectors from index `at` on of arrays of coordinates.
 template <class S, class N>
 [[gnu::always_inline]] inline Vec3<S> load_vec3(const N (&from)[3], std::size_t at) {
   return {S::load(from[0] + at), S::load(from[1] + at), S::load(from[2] + at)};
@@ -25,8 +25,8 @@ template <class S>
   return {S(v[0]), S(v[1]), S(v[2])};
 }
 
-/// The number `which` of each of some records of `stride` numbers that lie one behind the other from `from` on; that of
-/// the one in the place `last` for any beyond it.
+/// The number `which` of consecutive records of `stride` numbers, from the record `from` on; that of record `last` for
+/// any beyond it.
 template <int stride, class T>
 [[gnu::always_inline]] inline Lanes<double> column(const T* records, std::size_t from, std::size_t last,
                                                    std::size_t which) {

@@ -1,10 +1,10 @@
-// Numbers of rays that one alone and several in lanes have in common.
+// Limits that casts of one ray and of several in lanes share.
 #pragma once
 
 namespace graze::rays {
 
-/// A component of a direction below this is none: its inverse might overflow, and along no ray of a length that there
-/// is does it come to a number.
+/// Magnitude below which a component of a direction counts as zero: its inverse might overflow, and along no admissible
+/// length does it move a point by a representable amount.
 inline constexpr double no_component = 1e-300;
 
 }  // namespace graze::rays

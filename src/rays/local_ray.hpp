@@ -1,4 +1,4 @@
-// A ray in the frame of what it is cast at, and a hit there; or one of each in every lane.
+// A ray in the frame of a shape, and a hit there; or one of each in every lane.
 //
 // Guarantee: double, whichever scalar the shapes have; the direction is of unit length, so that t is a length.
 #pragma once
@@ -14,11 +14,12 @@ namespace graze::rays {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
+/// Largest coordinate and length: sums of a few do not overflow in `T`, nor products of two in double.
 template <class T>
 constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
 
-/// Whether a ray can hit: its origin, and its direction's square, in whichever unit that has one. No NaN can.
+/// Whether a ray can hit, by its origin and its direction's square, in any unit in which that is finite and not zero.
+/// NaN fails.
 template <class T, class S>
 auto usable(const Vec3<S>& origin, const S& squared) {
   const Vec3<S> reach = abs(origin);
@@ -26,23 +27,23 @@ auto usable(const Vec3<S>& origin, const S& squared) {
   return (reach.x <= most) & (reach.y <= most) & (reach.z <= most) & (squared > S(0)) & (squared <= most_squared);
 }
 
-/// How far a ray is followed; less than zero when it cannot hit.
+/// The length up to which a ray is followed; less than zero when it cannot hit.
 template <class T>
 double end_of(T length) {
   return length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
 }
-/// `direction` is the ray's, of any length that has a square.
+/// The length up to which a ray is followed. `direction` is the ray's, of any length that has a square.
 template <class T>
 double end_of(const Ray<T>& ray, const Vec3d& direction, T length) {
   return usable<T>(converted<double>(ray.origin), length_squared(direction)) ? end_of(length) : -1;
 }
 
-/// What comparing two numbers gives: `bool`, or a truth value a lane.
+/// The result of comparing two numbers: `bool`, or a truth value a lane.
 template <class S>
 using MaskOf = decltype(S() < S());
 
-/// Whether a condition holds for a ray that is alone, so that what it excludes need not be computed. Never for lanes:
-/// among them are nearly always some that need it.
+/// Whether a condition holds for a single ray, so that excluded parts need not be computed. Never for lanes: some of
+/// them nearly always need these.
 template <class M>
 [[gnu::always_inline]] inline bool alone(const M& condition) {
   if constexpr (std::is_integral_v<M>)
@@ -56,14 +57,14 @@ template <class S>
 struct LocalRayOf {
   Vec3<S> origin, direction;
   S begin, end;
-  /// What rounding of the caller's numbers moves the ray by: how thick things without thickness are taken to be.
+  /// Displacement of the ray by rounding of the caller's numbers: the thickness given to things without thickness.
   S blur;
 
   [[gnu::always_inline]] Vec3<S> at(const S& t) const { return origin + direction * t; }
 };
 using LocalRay = LocalRayOf<double>;
 
-/// The point is carried along, since `t` cannot have its digits when the ray comes from afar.
+/// A hit. The point is carried along, since `t` cannot have its digits when the ray comes from afar.
 struct LocalHit {
   double t;
   Vec3d point, normal;
@@ -71,8 +72,8 @@ struct LocalHit {
 
 using MaybeHit = std::optional<LocalHit>;
 
-/// What a closed form finds, for one ray or for one in each lane. Where `hit` does not hold the numbers mean nothing.
-/// Where `undecided` holds the closed form has no answer, and code for one ray has to give it.
+/// The result of a closed form, for one ray or for one in each lane. The numbers are meaningless where `hit` is not
+/// set. Where `undecided` is set the closed form has no answer, and code for one ray has to give it.
 template <class S>
 struct FoundHit {
   MaskOf<S> hit{};
@@ -86,9 +87,9 @@ struct FoundHit {
   }
 };
 
-/// A ray whose origin is its point nearest to `center`, and how far that was moved. Squares of coordinates then are of
-/// the order of the shape and not of the distance that the ray comes from. The ray's end has no part in it: where a ray
-/// hits does not depend, by rounding, on how far it was to be followed.
+/// A ray whose origin is its point nearest to `center`, and the shift of the origin. Squares of coordinates then are of
+/// the order of the shape and not of the distance that the ray comes from. The ray's end has no part in it: rounding of
+/// a hit does not depend on the length up to which the ray is followed.
 template <class S>
 struct RecenteredOf {
   LocalRayOf<S> ray;
@@ -111,7 +112,7 @@ template <class S>
   return {{ray.at(shift), ray.direction, ray.begin - shift, ray.end - shift, ray.blur}, shift};
 }
 
-/// A frame that stands in another. A matrix, since a ray and its hit are turned four times.
+/// A frame in another. A matrix, since a ray and its hit are rotated four times.
 struct Frame {
   Vec3d translation;
   Mat3d rotation;
@@ -120,18 +121,19 @@ struct Frame {
   Vec3d in(const Vec3d& direction) const { return transposed_times(rotation, direction); }
 };
 
-/// A rotation to double's precision: a quaternion of floats is of unit length only in float, and lengths would change.
+/// The frame of a pose, its rotation to double's precision: a quaternion of floats is of unit length only in float, and
+/// lengths would change.
 template <class T>
 Frame frame_of(const Pose<T>& pose) {
   return {converted<double>(pose.translation), rotation_of(converted<double>(pose.rotation))};
 }
 
-/// The frame `b` in the one that `a` stands in.
+/// The frame `b` in the one that `a` is in.
 inline Frame compose(const Frame& a, const Frame& b) {
   return {a.translation + a.out(b.translation), a.rotation * b.rotation};
 }
 
-/// A ray seen from a frame that stands in the ray's present one.
+/// A ray in a frame that is given in the ray's present one.
 inline LocalRay seen_from(const Frame& frame, const LocalRay& ray) {
   return {frame.in(ray.origin - frame.translation), frame.in(ray.direction), ray.begin, ray.end, ray.blur};
 }
@@ -150,7 +152,7 @@ template <class S>
   return {hit, t, ray.at(t), select(inside, -ray.direction, normal)};
 }
 
-/// Whether a ray comes near the ball about a shape's origin that holds the shape.
+/// Whether a ray meets a ball about a shape's origin that contains the shape, widened by `blur`.
 template <class S>
 [[gnu::always_inline]] inline MaskOf<S> near_ball(const LocalRayOf<S>& ray, const std::type_identity_t<S>& radius) {
   const S reach = radius + ray.blur;
@@ -163,7 +165,7 @@ template <class S>
   return select(dot(normal, ray.direction) > S(0), -normal, normal);
 }
 
-/// The normal without the little by which rounding may turn it along the ray where that grazes; `ray` of any length.
+/// The normal without the component along the ray that rounding may give it where the ray grazes; `ray` of any length.
 inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
   if (!(dot(normal, ray) > 0)) return normal;
   const Vec3d direction = normalized(ray);
@@ -183,8 +185,8 @@ template <class S>
   }
 }
 
-/// The real roots of a t^2 + 2 b t + c, lesser first; of a linear one, both the same. Each by the formula that does not
-/// cancel (Higham 2002, "Accuracy and stability of numerical algorithms", section 1.8).
+/// The real roots of a t^2 + 2 b t + c, lesser first; for a linear one, both the same. Each by the formula that does
+/// not cancel (Higham 2002, "Accuracy and stability of numerical algorithms", section 1.8).
 template <class S>
 struct RootsOf {
   MaskOf<S> real{};

@@ -12,7 +12,7 @@ namespace {
 using S = Lanes<double>;
 constexpr double infinity = __builtin_inf();
 
-/// The part of a ray that is left in each lane, and the plane that it enters by.
+/// The remaining part of a ray in each lane, and the plane by which it enters.
 struct LaneClip {
   S enter{-infinity}, leave{infinity}, entered_by{0};
   S::Mask outside{};
@@ -29,7 +29,7 @@ struct LaneClip {
   }
 };
 
-/// The `part`-th register in double of planes that stand in rows from the `first` on.
+/// Clips by the `part`-th register in double of planes in rows from the `first` on.
 template <std::size_t part, class T>
 [[gnu::always_inline]] inline void clip_part(const Lanes<T> (&rows)[4], std::size_t first, const S& places,
                                              const Vec3<S>& o, const Vec3<S>& d, LaneClip& clip) {
@@ -48,7 +48,7 @@ void clip_by_planes(const T* planes, std::size_t count, const double (&origin)[3
   S places(0);
   for (int i = 0; i < S::lanes; ++i) places.set(i, i);
   T few[4 * step];
-  if (count < step) {  // the last one again in lanes that have none
+  if (count < step) {  // lanes without a plane repeat the last one
     for (std::size_t i = 0; i < step; ++i)
       std::memcpy(few + 4 * i, planes + 4 * (i < count ? i : count - 1), 4 * sizeof(T));
     planes = few;

@@ -1,4 +1,4 @@
-// Rays against what planes bound: half-spaces, boxes and convex hulls, by clipping the ray (Cyrus, Beck 1978,
+// Rays against shapes bounded by planes: half-spaces, boxes and convex hulls, by clipping the ray (Cyrus, Beck 1978,
 // "Generalized two- and three-dimensional clipping"; for boxes Kay, Kajiya 1986, "Ray tracing complex scenes").
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace graze::rays {
 
-/// |q_i| <= half_i. With one extent of zero a rectangle, with two a segment.
+/// The hit of the box |q_i| <= half_i. With one zero extent a rectangle, with two a segment.
 inline MaybeHit hit_box(const LocalRay& far, const Vec3d& half) {
   if ((half.x <= 0) + (half.y <= 0) + (half.z <= 0) >= 2) return hit_balls(far, -half, 0, half, 0);
   Recentered near = recentered(far, {});

@@ -1,4 +1,4 @@
-// How far a point lies outside a core, and in which direction: what rays advance by towards rounded shapes.
+// Distances of a point from cores with their directions, the steps of conservative advancement.
 //
 // Guarantee: each is a functor over points of the shape's frame; inside the core the distance is zero.
 #pragma once
@@ -25,7 +25,7 @@ struct DistanceToTriangle {
   }
 };
 
-/// The cylinder, cone or truncated cone, in the half-plane of the axis and the point.
+/// The distance from a cylinder, cone or truncated cone, in the half-plane of the axis and the point.
 struct DistanceToFrustum {
   double half, bottom, top;
 
@@ -44,13 +44,13 @@ struct DistanceToFrustum {
   }
 };
 
-/// A point, as the other side of a Minkowski difference.
+/// A point, as the other shape of a Minkowski difference.
 struct PointShape {
   Vec3d core_support(const Vec3d&) const { return {}; }
   double core_extent() const { return 0; }
 };
 
-/// Any core, known by its support function: the supporting plane that GJK ends with.
+/// The distance from any core, by its support function: the supporting plane with which GJK ends.
 template <class Core>
 struct DistanceBySupport {
   const Core& core;
@@ -60,7 +60,7 @@ struct DistanceBySupport {
     const MinkowskiDifference<Core, PointShape> difference(core, point, {p, {}});
     const GjkResult found = gjk(difference, {rounding_error * difference.reach()});
     if (found.end == GjkEnd::touching || !(found.upper > 0)) return {0, {0, 1, 0}};
-    // The plane of the last normal: whatever rounding did to that, it supports the core.
+    // The plane of the last normal supports the core, whatever rounding did to the normal.
     return {dot(found.normal, p - core.core_support(found.normal)), found.normal};
   }
 };

@@ -18,7 +18,7 @@ struct Frustum {
         slope(half > 0 ? (top - bottom) / (2 * half) : 0),
         middle(half > 0 ? (top + bottom) / 2 : greatest(top, bottom)) {}
 
-  /// The normal of the side where the radius is no more than rounding: at the tip, or of a needle.
+  /// The normal of the side where the radius is mere rounding: at the tip, or of a needle.
   Vec3d thin_normal(const LocalRay& ray) const {
     if (top == bottom) return facing_back(ray, {0, 1, 0});
     const double y = top < bottom ? 1 : -1, steep = std::abs(slope);
@@ -37,8 +37,8 @@ template <class S>
                 SpanOf<S>{least(t0, t1), greatest(t0, t1)});
 }
 
-/// The part of `caps` in which rho <= radius(y): |p|^2 - radius^2 is quadratic in t. Seen steeply it is so outside its
-/// roots, on one of the cone's two halves, and only one of them lies between the caps.
+/// The part of `caps` in which rho <= radius(y): |p|^2 - radius^2 is quadratic in t. For a steep ray that part is
+/// outside the roots, on one of the cone's two nappes, and only one of these lies between the caps.
 template <class S>
 [[gnu::always_inline]] inline SpanOf<S> side_span(const LocalRayOf<S>& ray, const Frustum& f, const SpanOf<S>& caps) {
   const S zero(0), slope(f.slope), dy = ray.direction.y, reach(2 * (f.half + greatest(f.bottom, f.top)));
@@ -64,7 +64,7 @@ template <class S>
   return select(r.real, select(a > zero, between, select(level, linear, steep)), outside);
 }
 
-/// A frustum that has some thickness. Undecided is the normal where that is no more than rounding:
+/// The hit of a frustum that has some thickness. The normal is undecided where the radius is mere rounding:
 /// `Frustum::thin_normal`.
 template <class S>
 [[gnu::always_inline]] inline FoundHit<S> hit_frustum(const LocalRayOf<S>& far, const Frustum& f) {
@@ -87,7 +87,7 @@ template <class S>
   return near.restored(found);
 }
 
-/// A frustum, or a segment where it has no thickness.
+/// The hit of a frustum, or of a segment where it has no thickness.
 inline MaybeHit hit_cylinder(const LocalRay& ray, const Frustum& f) {
   if (f.bottom <= 0 && f.top <= 0) return hit_balls(ray, {0, -f.half, 0}, 0, {0, f.half, 0}, 0);
   FoundHit<double> found = hit_frustum(ray, f);
@@ -96,7 +96,7 @@ inline MaybeHit hit_cylinder(const LocalRay& ray, const Frustum& f) {
   return found;
 }
 
-/// An ellipsoid with one radius of zero, `flat`.
+/// The hit of an ellipsoid with one zero radius, that of axis `flat`.
 inline MaybeHit hit_ellipse(const LocalRay& ray, const Vec3d& radii, std::size_t flat) {
   const std::size_t u = (flat + 1) % 3, v = (flat + 2) % 3;
   if (ray.direction[flat] == 0 && ray.origin[flat] != 0) return {};
@@ -120,7 +120,7 @@ inline MaybeHit hit_ellipse(const LocalRay& ray, const Vec3d& radii, std::size_t
   return entered(ray, span.enter / speed, span.leave / speed, normalized(normal, -ray.direction));
 }
 
-/// An ellipsoid with all radii above zero, in the space where it is the unit ball; t is the same there.
+/// The hit of an ellipsoid with all radii above zero, in the space where it is the unit ball; t is the same there.
 template <class S>
 [[gnu::always_inline]] inline FoundHit<S> hit_solid_ellipsoid(const LocalRayOf<S>& far, const Vec3<S>& radii) {
   const RecenteredOf<S> near = recentered(far, {});
@@ -139,7 +139,7 @@ template <class S>
   return near.restored(found);
 }
 
-/// An ellipsoid; with radii of zero an ellipse, a segment or a point.
+/// The hit of an ellipsoid; with zero radii an ellipse, a segment or a point.
 inline MaybeHit hit_ellipsoid(const LocalRay& far, const Vec3d& radii) {
   std::size_t zeros = 0, flat = 0;
   for (std::size_t i = 0; i < 3; ++i)

@@ -1,5 +1,5 @@
-// Some rays at a time, a number of each side by side: plain arrays, so that their way through the frames and the closed
-// forms can be compiled for each instruction set.
+// A block of rays, with an array for each number: plain arrays, so that frame transforms and closed forms can be
+// compiled for each instruction set.
 //
 // Guarantee: every number has the bits that one ray alone gets, since both run the same templates (`round.hpp`,
 // `quadrics.hpp`, `half_space.hpp`, `ray_triangle.hpp`). Rays that these leave undecided have the state `ray_again`,
@@ -18,13 +18,13 @@ struct alignas(64) RayBlock {
 
   // The direction in the caller's frame. Where `end` is less than zero the ray hits nothing.
   Numbers along[3], end;
-  // In the shape's; as `LocalRay`. `blur` is set where it is asked for.
+  // In the shape's frame, as in `LocalRay`. `blur` is set where it is used.
   Numbers origin[3], direction[3], blur;
-  // Hits, there; `state` tells of which rays.
+  // Hits, in the shape's frame; `state` marks the rays that have one.
   Numbers t, point[3], normal[3], state;
 };
 
-/// Hits in the caller's frame, in his scalar.
+/// Hits in the caller's frame and scalar.
 template <class T>
 struct alignas(64) BlockHits {
   T t[RayBlock::size], point[3][RayBlock::size], normal[3][RayBlock::size];
@@ -38,15 +38,15 @@ struct BlockFrame {
   double translation[3], rotation[3][3];
 };
 
-/// A shape without rounding that the closed forms do not cover; `ball_cone` is the hull of two balls, neither inside
-/// the other, and `frustum` one that has some thickness.
+/// A shape that the closed forms cover, its rounding included; `ball_cone` is the hull of two balls, neither inside the
+/// other, and `frustum` one that has some thickness.
 struct BlockShape {
   enum Kind { none, ball, half_space, triangle, ball_cone, frustum, ellipsoid } kind = none;
-  double radius = 0;        ///< of the ball, the first or lower one; of the half-space its height
-  double other_radius = 0;  ///< of the second ball, or at the frustum's top
+  double radius = 0;        ///< radius of the ball, the first or lower one; the half-space's height
+  double other_radius = 0;  ///< radius of the second ball, or at the frustum's top
   /// The balls' centres, the frustum's half height, the triangle's corners, the ellipsoid's radii.
   double points[3][3] = {};
-  double around = 0;  ///< of the ball about the frame's origin that a ray has to come near to
+  double around = 0;  ///< radius of a ball about the frame's origin that a ray has to meet
   bool both_sides = true;
 };
 
@@ -56,14 +56,15 @@ namespace graze {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// From the caller's frame into the shape's: `rays` are six numbers each, origin and direction; the block is filled
-    /// up with the last one to a multiple of eight. Rays that no shape can hit get an end less than zero, others `end`.
+    /// Transforms rays from the caller's frame into the shape's: `rays` are six numbers each, origin and direction; the
+    /// block is filled up with the last one to a multiple of eight. Rays that no shape can hit get an end less than
+    /// zero, others `end`.
     template <class T> void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, double end,
                                            const rays::BlockFrame& frame);
     /// Sets `state` and the hits.
     void block_hits(rays::RayBlock& block, std::size_t count, const rays::BlockShape& shape);
-    /// Hits from the shape's frame into the caller's, none further than `length`; `ray_again` where rounding has turned
-    /// a normal along the ray.
+    /// Transforms hits from the shape's frame into the caller's, none further than `length`; `ray_again` where rounding
+    /// has turned a normal along the ray.
     template <class T> void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockFrame& frame,
                                            T length, rays::BlockHits<T>& hits);)
 // clang-format on

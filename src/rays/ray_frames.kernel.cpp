@@ -1,4 +1,4 @@
-// The way of rays into the frame of a shape and of hits out of it.
+// Transforms of rays into the frame of a shape and of hits out of it.
 #include "rays/lane_vec3.hpp"
 #include "rays/ray_rows.hpp"
 
@@ -27,14 +27,14 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
                     const rays::BlockFrame& frame) {
   constexpr bool single = sizeof(T) == 4;
   constexpr double epsilon = single ? 0x1p-23 : 0x1p-52;
-  // As `longest` and `end_of` of one ray.
+  // As in `longest` and `end_of` of one ray.
   constexpr double longest = single ? 1e37 : 1e150, most = 1.7976931348623157e308;
   const Rotation rotation(frame);
   const S zero(0), one(1);
   const V translation = broadcast<S>(frame.translation);
   read_rays(rays, count, block);
   for (std::size_t i = 0; i < filled(count); i += step) {
-    // What is no number compares as false.
+    // NaN compares as false.
     const auto within = [](const V& v, double limit) __attribute__((always_inline)) {
       const S l(limit);
       return (abs(v.x) <= l) & (abs(v.y) <= l) & (abs(v.z) <= l);

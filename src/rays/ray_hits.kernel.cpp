@@ -1,4 +1,4 @@
-// Rays against shapes of closed form, several at a time.
+// Rays against shapes in closed form, several at a time.
 #include "rays/half_space.hpp"
 #include "rays/quadrics.hpp"
 #include "rays/ray_lanes.hpp"

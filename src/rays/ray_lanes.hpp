@@ -1,6 +1,6 @@
 // Rays of a block as lanes. Only for `*.kernel.cpp`.
 //
-// Guarantee: numbers are copied, nothing else. Everything is inlined or lives in the namespace of the level.
+// Guarantee: numbers are copied only. Everything is inlined or lives in the namespace of the level.
 #pragma once
 
 #include "rays/lane_vec3.hpp"
@@ -14,7 +14,7 @@ using V = Vec3<S>;
 using M = S::Mask;
 inline constexpr auto step = static_cast<std::size_t>(S::lanes);
 
-/// The rays from the place `at` on.
+/// The rays from index `at` on.
 [[gnu::always_inline]] inline rays::LocalRayOf<S> load_ray(const rays::RayBlock& block, std::size_t at) {
   return {load_vec3<S>(block.origin, at), load_vec3<S>(block.direction, at), S(0), S::load(block.end + at),
           S::load(block.blur + at)};

@@ -1,6 +1,6 @@
-// Rays that stand one behind the other, read into a block. Only for `*.kernel.cpp`.
+// Consecutive rays read into a block. Only for `*.kernel.cpp`.
 //
-// Guarantee: numbers are copied, and floats made double, nothing else.
+// Guarantee: numbers are copied, and floats converted to double, only.
 #pragma once
 
 #include "rays/lane_vec3.hpp"
@@ -9,7 +9,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// The numbers of as many rays as lanes take, for the `i`-th place and those behind it, in double.
+/// Reads the numbers of a register of rays in double, to index `i` and the following.
 [[gnu::always_inline]] inline void read_some(const float* rays, rays::RayBlock& block, std::size_t i) {
   using Row = Lanes<float>;
   Row from[4], to[4];  // a row of four is loaded at once
@@ -25,10 +25,10 @@ namespace graze::GRAZE_ISA {
     store(to[k + 1], block.along[k]);
   }
 }
-/// So many lanes are filled for `count` rays, at every level.
+/// The number of lanes filled for `count` rays, the same at every level.
 [[gnu::always_inline]] inline std::size_t filled(std::size_t count) { return (count + 7) / 8 * 8; }
 
-/// Origins and directions as they are; the last ray's again for the lanes that are left.
+/// Reads origins and directions unchanged; remaining lanes repeat the last ray.
 [[gnu::always_inline]] inline void read_rays(const float* rays, std::size_t count, rays::RayBlock& block) {
   constexpr std::size_t lanes = lanes_of<float>;
   static_assert(rays::RayBlock::size % lanes == 0);

@@ -8,7 +8,7 @@ using namespace ray_streams;
 
 namespace {
 
-/// As `RayStream` asks for it.
+/// The surface for `RayStream`.
 template <class T>
 struct MeshSurface {
   using Scalar = T;

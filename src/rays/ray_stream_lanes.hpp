@@ -1,6 +1,6 @@
-// Streams of rays at a surface of triangles, all under way at once (see `ray_stream.hpp`). Only for `*.kernel.cpp`.
+// Streams of rays at a surface of triangles, all in flight at once (see `ray_stream.hpp`). Only for `*.kernel.cpp`.
 //
-// Guarantee: as there. Everything is inlined or lives in the namespace of the level.
+// Guarantee: that of `ray_stream.hpp`. Everything is inlined or lives in the namespace of the level.
 #pragma once
 
 #include "rays/bvh_lanes.hpp"
@@ -12,30 +12,30 @@ namespace graze::GRAZE_ISA::ray_streams {
 using namespace tree;
 using namespace ray_lanes;
 
-/// Rays under way at once: enough to hide the way to memory, few enough to stay near the processor themselves. With 32
-/// in place of 64 they take 3 to 10 % longer, and half of some 60 KB of stack, which small machines have little of.
+/// Rays in flight at once: enough to hide memory latency, few enough to stay in the nearest cache themselves. 32 in
+/// place of 64 take 3 to 10 % longer, and half of some 60 KB of stack, which small machines have little of.
 inline constexpr std::size_t stream_size = register_bytes >= 32 ? 64 : 32;
 using Numbers = double[stream_size];
 
-/// Rays, waiting for the same.
+/// Rays that wait for the same step.
 struct List {
   std::uint8_t ray[stream_size + 1];
   std::size_t count = 0;
-  /// Written in any case, kept if so.
+  /// Writes in any case, keeps if `really`.
   [[gnu::always_inline]] void add(std::size_t i, bool really) {
     ray[count] = static_cast<std::uint8_t>(i);
     count += really;
   }
 };
 
-/// `Surface` is a hierarchy of triangles:
-///   Scalar, Ref (a node), Leaf, children (how many a node has at most), most (triangles of a leaf);
-///   deep: a ray with as many nodes to come back to is answered alone
-///   question: whose `extent`, `radius`, `center`, `both_sides` and `any` are those of `BlockMesh`
+/// Many rays at one surface. `Surface` is a hierarchy of triangles:
+///   Scalar, Ref (a node), Leaf, children (most of a node), most (most triangles of a leaf);
+///   deep: a ray with this many nodes waiting is cast alone
+///   question: its `extent`, `radius`, `center`, `both_sides` and `any` are those of `BlockMesh`
 ///   root(), open(bvh_ray, ref, limit): the keys of a node's children
-///   go(ref, leaf, place): from a node to a child, true for another node; what will be needed there is asked for
+///   go(ref, leaf, place): moves from a node to a child, true for a node; prefetches the child's data
 ///   each(bvh_ray, ref, leaf, add): calls add(lane, really) for the triangles of a leaf that may be crossed
-///   triangle(leaf, lane): (corner, axis) of one; piece(leaf, lane): its number
+///   triangle(leaf, lane): coordinates of a triangle by (corner, axis); piece(leaf, lane): its number
 template <class Surface>
 class RayStream {
   using T = typename Surface::Scalar;
@@ -61,7 +61,7 @@ class RayStream {
   }
 
  private:
-  /// What a ray needs at hand.
+  /// The state of a ray.
   struct Ray {
     BvhRay<T> bvh_ray;
     float limit;
@@ -123,7 +123,7 @@ class RayStream {
     }
   }
 
-  /// The ray goes on to the nearest of those children, if there is any, and the rest waits.
+  /// Moves the ray on to the nearest of those children, if there is any; the others wait.
   [[gnu::always_inline]] void choose(std::size_t i, const Ref& at, Keys keys) {
     Ray& ray = rays_[i];
     const std::uint32_t alive = keys.up_to(number_bits(ray.limit) | Keys::place_bits);
@@ -239,7 +239,7 @@ class RayStream {
 
   [[gnu::always_inline]] std::uint32_t piece(const Candidate& c) const { return surface_.piece(c.leaf, c.lane); }
 
-  /// As `TriangleCast` tells a hit.
+  /// As `TriangleCast` returns a hit.
   [[gnu::always_inline]] void leave(std::size_t i) {
     double corner[3][3][step] = {}, t[step] = {}, along[step] = {};
     for (std::size_t lane = 0; lane < step; ++lane) {
@@ -264,9 +264,9 @@ class RayStream {
   std::size_t first_, count_;
   const Surface& surface_;
   std::uint32_t* pieces_;
-  // In turn: the ray from near the surface, and its frame for the triangles.
+  // In order: the ray from near the surface, and its frame for the triangles.
   Numbers origin_[3], shift_, end_, reach_, ordered_origin_[3], shear_[3], axis_[3];
-  // The first hit so far: along the caller's ray, along the near one, and where.
+  // The first hit so far: along the caller's ray, along the near one, and the triangle.
   Numbers best_, best_local_;
   Candidate nearest_[stream_size];
   Ray rays_[stream_size];

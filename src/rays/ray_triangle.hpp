@@ -1,22 +1,22 @@
-// Rays against flat convex polygons, triangles above all, in a frame in which the ray runs along an axis
-// (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection", JCGT 2(1)).
+// Rays against flat convex polygons, above all triangles, in a frame in which the ray runs along an axis (Woop,
+// Benthin, Wald 2013, "Watertight ray/triangle intersection", JCGT 2(1)).
 //
-// Guarantee: watertight. Proof: a vertex is sheared by the same operations whichever triangle asks, so the sheared mesh
-// is one mesh of exact points in the plane across the ray, and the ray is the point zero there. Move the mesh in its
-// plane by a little that avoids all its edges: zero then lies inside a triangle that is not seen edge-on, wherever the
-// surface separates the ray's two ends. As that little goes to nothing, one such triangle remains which holds zero in
-// its interior or on its border. The three sides of its edges thus have exactly one sign or are zero, and not all are
-// zero. `edge_side` returns these exact signs; a triangle is hit when they do not differ and are not all zero. No step
-// asks in which order triangles or vertices come. (Only products that underflow, of coordinates below 1e-140, escape
-// the proof.)
+// Guarantee: watertight. Proof: a vertex is sheared by the same operations for every triangle, so the sheared mesh is
+// one mesh of exact points in the plane across the ray, and the ray is the point zero there. Move the mesh in its plane
+// by a little that avoids all its edges: zero then lies inside a triangle that is not seen edge-on, wherever the
+// surface separates the ray's two ends. As that little goes to nothing, one such triangle remains which has zero in its
+// interior or on its border. The three sides of its edges thus have exactly one sign or are zero, and not all are zero.
+// `edge_side` returns these exact signs; a triangle is hit when they do not differ and are not all zero. No step
+// depends on the order of triangles or vertices. (Only products that underflow, of coordinates below 1e-140, escape the
+// proof.)
 #pragma once
 
 #include "rays/round.hpp"
 
 namespace graze::rays {
 
-/// The axes in the order of a ray's frame: the one along which its direction is longest last, the others such that the
-/// sense of rotation stays. In each lane another order.
+/// The order of the axes in a ray's frame: the one along which its direction is longest last, the others such that the
+/// sense of rotation stays. Each lane has its own order.
 template <class S>
 class AxisOrder {
  public:
@@ -37,7 +37,7 @@ class AxisOrder {
   MaskOf<S> along_x_{}, along_y_{}, back_{};
 };
 
-/// The order for one ray, as numbers of the axes in place of masks.
+/// The order for one ray, by the numbers of the axes in place of masks.
 template <>
 class AxisOrder<double> {
  public:
@@ -54,7 +54,7 @@ class AxisOrder<double> {
   std::size_t x_, y_, z_;
 };
 
-/// The frame of a ray: z along it in the unit of its direction, x and y what is left across it.
+/// The frame of a ray: z along it in the unit of its direction, x and y across it.
 template <class S>
 class RayAlignedFrame {
  public:
@@ -65,7 +65,7 @@ class RayAlignedFrame {
   }
   [[gnu::always_inline]] Vec3<S> operator()(const Vec3<S>& p) const { return sheared(order_(p - origin_), shear_); }
 
-  /// A point that is given relative to the ray's origin, in the order of the axes.
+  /// A point relative to the ray's origin, in the order of the axes, sheared into the frame.
   [[gnu::always_inline]] static Vec3<S> sheared(const Vec3<S>& p, const Vec3<S>& shear) {
     return {p.x - shear.x * p.z, p.y - shear.y * p.z, shear.z * p.z};
   }
@@ -77,7 +77,7 @@ class RayAlignedFrame {
   AxisOrder<S> order_;
 };
 
-/// What rounding took from the product of `a` and `b`, exactly (Dekker 1971, "A floating-point technique for extending
+/// The rounding error of the product of `a` and `b`, exactly (Dekker 1971, "A floating-point technique for extending
 /// the available precision": Veltkamp's splitting into halves of 26 digits, whose products are exact).
 template <class S>
 [[gnu::always_inline]] inline S product_error(const S& a, const S& b, const S& product) {
@@ -91,7 +91,7 @@ template <class S>
 
 /// Twice the area of the triangle of the ray and the edge from `p` to `q`, with its exact sign: positive where a front
 /// face has the ray on its inner side. Rounding is monotonic: it can make two products equal, but not exchange which is
-/// the greater. Where they became equal, what rounding took from them decides.
+/// the greater. Where they became equal, their rounding errors decide.
 template <class S>
 [[gnu::always_inline]] inline S edge_side(const Vec3<S>& p, const Vec3<S>& q) {
   const S one = q.x * p.y, other = q.y * p.x;
@@ -101,11 +101,11 @@ template <class S>
   return side;
 }
 
-/// How the line of a ray passes a triangle whose vertices are given in the ray's frame.
+/// The crossing of a ray's line with a triangle whose vertices are given in the ray's frame.
 template <class S>
 struct LineCrossing {
   MaskOf<S> through{}, edge_on{};  ///< through the inside or the border; along the plane
-  S whole{}, t{};                  ///< twice the area, positive from the front; where along the line, if `through`
+  S whole{}, t{};                  ///< twice the area, positive from the front; parameter along the line, if `through`
 };
 template <class S>
 [[gnu::always_inline]] inline LineCrossing<S> line_crossing(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
@@ -126,10 +126,10 @@ template <class Vertex>
   return sum;
 }
 
-/// A polygon in whose plane the ray lies, as a solid of that plane: the ray clipped by the edges.
+/// The hit of a polygon in whose plane the ray lies, as a solid of that plane: the ray clipped by the edges.
 template <class Vertex>
 MaybeHit hit_in_plane(const LocalRay& ray, std::size_t count, const Vertex& vertex) {
-  std::size_t one = 0, other = 0;  // the ends of the longest side
+  std::size_t one = 0, other = 0;  // ends of the longest side
   double size = 0;
   for (std::size_t i = 0; i < count; ++i)
     if (const double side = length(vertex((i + 1) % count) - vertex(i)); side > size) {
@@ -139,7 +139,7 @@ MaybeHit hit_in_plane(const LocalRay& ray, std::size_t count, const Vertex& vert
     }
   const Vec3d area = area_vector(count, vertex);
   const double slack = 8 * epsilon * (size + max_abs(ray.origin - vertex(0)));
-  // So thin that its plane is not known: its longest side holds the others.
+  // So thin that its plane is unknown: its longest side contains the others.
   if (!(length(area) > slack * size)) return hit_balls(ray, vertex(one), 0, vertex(other), 0);
   const Vec3d up = normalized(area);
   double enter = -infinity, leave = infinity;
@@ -162,7 +162,7 @@ MaybeHit hit_in_plane(const LocalRay& ray, std::size_t count, const Vertex& vert
   return entered(ray, enter, leave + slack, normal);
 }
 
-/// The hit of a flat convex polygon, from both sides or only from where `vertex(0)`, `vertex(1)`, ... run
+/// The hit of a flat convex polygon, from both sides or only from the side where `vertex(0)`, `vertex(1)`, ... run
 /// counter-clockwise. Undecided where the ray lies in the polygon's plane: `hit_in_plane`.
 template <class S, class Vertex>
 [[gnu::always_inline]] inline FoundHit<S> hit_across(const RecenteredOf<S>& near, std::size_t count,

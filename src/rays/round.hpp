@@ -9,13 +9,13 @@
 
 namespace graze::rays {
 
-/// The opposite of the part of the ray's direction across a unit vector: the normal of a thin thing.
+/// The opposite of the ray's direction, made perpendicular to a unit vector: the normal of a thin segment or needle.
 inline Vec3d facing_back(const LocalRay& ray, const Vec3d& along) {
   return normalized(along * dot(ray.direction, along) - ray.direction, -ray.direction);
 }
 
 /// A normal of a cone's tip that faces the ray: back along the ray where that supports the cone, else the side's normal
-/// that comes nearest to it. `outward` points along the axis out of the cone, `sine` is the part along it of the side's
+/// nearest to it. `outward` points along the axis out of the cone, `sine` is the component along it of the side's
 /// normals.
 inline Vec3d tip_normal(const LocalRay& ray, const Vec3d& outward, double sine) {
   const double along = -dot(ray.direction, outward);
@@ -24,7 +24,7 @@ inline Vec3d tip_normal(const LocalRay& ray, const Vec3d& outward, double sine) 
   return outward * sine + across * std::sqrt((1 - sine) * (1 + sine));
 }
 
-/// The part of a ray that is in a solid; empty where `enter` is not the lesser.
+/// The part of a ray in a solid; empty where `enter` is not the lesser.
 template <class S>
 struct SpanOf {
   S enter = infinity, leave = -infinity;
@@ -35,7 +35,8 @@ struct SpanOf {
 };
 using Span = SpanOf<double>;
 
-/// The part of a ray within `radius` of a point; from the distance of the centre and not a difference of squares.
+/// The part of a ray within `radius` of a point; from the distance of the centre and not a difference of squares, which
+/// cancels.
 template <class S>
 [[gnu::always_inline]] inline SpanOf<S> ball_span(const LocalRayOf<S>& ray, const std::type_identity_t<Vec3<S>>& center,
                                                   const std::type_identity_t<S>& radius) {
@@ -48,7 +49,7 @@ template <class S>
   return select(met, SpanOf<S>{along - half, along + half}, SpanOf<S>{});
 }
 
-/// A ball of a radius above zero.
+/// The hit of a ball with a radius above zero.
 template <class S>
 [[gnu::always_inline]] inline FoundHit<S> hit_ball(const LocalRayOf<S>& far, const Vec3<S>& center, const S& radius) {
   const RecenteredOf<S> near = recentered(far, center);
@@ -62,14 +63,14 @@ template <class S>
   return near.restored(found);
 }
 
-/// A ball, or a point where the radius is zero.
+/// The hit of a ball, or of a point where the radius is zero.
 inline MaybeHit hit_sphere(const LocalRay& ray, const Vec3d& center, double radius) {
   FoundHit<double> found = hit_ball(ray, center, radius > 0 ? radius : ray.blur);
   if (!(radius > 0)) found.normal = -ray.direction;
   return found;
 }
 
-/// A segment without thickness: the ray's point nearest to it, where that is near enough.
+/// The hit of a segment without thickness: the ray's point nearest to it, where that is near enough.
 inline MaybeHit hit_thin_segment(const LocalRay& far, const Vec3d& a, const Vec3d& b) {
   const Recentered near = recentered(far, (a + b) * 0.5);
   const LocalRay& ray = near.ray;
@@ -77,16 +78,15 @@ inline MaybeHit hit_thin_segment(const LocalRay& far, const Vec3d& a, const Vec3
   const Vec3d along = normalized(b - a);
   const double t0 = dot(a - ray.origin, ray.direction), t1 = dot(b - ray.origin, ray.direction);
   const double low = clamp(least(t0, t1), ray.begin, ray.end), high = clamp(greatest(t0, t1), low, ray.end);
-  double t = low;  // of a ray along the segment, where it begins
+  double t = low;  // for a ray along the segment, its beginning
   if (length(cross(ray.direction, along)) * size > thick)
     t = low + (high - low) * closest_parameters<double>({ray.at(low), ray.at(high)}, {a, b}).s;
   if (length(closest_point<double>({a, b}, ray.at(t)) - ray.at(t)) > thick) return {};
   return near.restored(hit_at(ray, t, facing_back(ray, along)));
 }
 
-/// The convex hull of a ball about `a` and one about `b`, neither inside the other: the side is the cone
-/// cosine * rho + sine * y = radius_a, y along the axis from `a` and rho across it, between the circles where it
-/// touches the balls.
+/// The convex hull of a ball about `a` and one about `b`, neither inside the other: the side is the cone cosine * rho +
+/// sine * y = radius_a, y along the axis from `a` and rho across it, between the circles where it touches the balls.
 struct BallCone {
   Vec3d a, b;
   double radius_a, radius_b, height, size;
@@ -104,7 +104,7 @@ struct BallCone {
         sine((radius_a - radius_b) / height),
         cosine(std::sqrt((1 - sine) * (1 + sine))) {}
 
-  /// Along the axis from `a`, the centre of the sphere between the two that comes nearest to `p`.
+  /// The position, along the axis from `a`, of the inscribed sphere nearest to `p`.
   template <class S>
   [[gnu::always_inline]] S sphere_place(const Vec3<S>& p) const {
     const Vec3<S> from = p - converted<S>(a), along = converted<S>(axis);
@@ -112,7 +112,7 @@ struct BallCone {
     return clamp(y - S(sine) * length(from - along * y) / S(cosine), S(0), S(height));
   }
 
-  /// The normal at a point `p` where the radius is no more than rounding.
+  /// The normal at a point `p` where the radius is mere rounding.
   Vec3d thin_normal(const LocalRay& ray, const Vec3d& p) const {
     const double place = sphere_place(p);
     if (place <= 0) return tip_normal(ray, -axis, -sine);
@@ -121,7 +121,7 @@ struct BallCone {
   }
 };
 
-/// Calls `crossed(mask, t)` twice, with the places where the ray's line crosses the side of a `BallCone` if it does.
+/// Calls `crossed(mask, t)` twice, for the intersections of the ray's line with the side of a `BallCone`.
 template <class S, class F>
 [[gnu::always_inline]] inline void cross_side(const LocalRayOf<S>& ray, const BallCone& cone, const F& crossed) {
   const Vec3<S> axis = converted<S>(cone.axis), from = ray.origin - converted<S>(cone.a);
@@ -144,15 +144,15 @@ template <class S, class F>
   }
 }
 
-/// The hit of a `BallCone`. Undecided is the normal where the radius is no more than rounding: see `thin_normal`.
+/// The hit of a `BallCone`. The normal is undecided where the radius is mere rounding: see `thin_normal`.
 template <class S>
 [[gnu::always_inline]] inline FoundHit<S> hit_ball_cone(const LocalRayOf<S>& far, const BallCone& cone) {
   const Vec3<S> a = converted<S>(cone.a), b = converted<S>(cone.b);
   const RecenteredOf<S> near = recentered(far, converted<S>((cone.a + cone.b) * 0.5));
   const LocalRayOf<S>& ray = near.ray;
-  // The balls and the side between them make up a convex body, so that the ray is in it from the first place where it
-  // enters one of them to the last where it leaves one. From the whole span and not from the entries after its
-  // beginning: a ray that begins on the surface may find its entry behind it by rounding.
+  // The balls and the side between them make up a convex body, so that the ray is in it from the first entry into one
+  // of them to the last exit. From the whole span and not from the entries after its beginning: a ray that begins on
+  // the surface may find its entry behind it by rounding.
   SpanOf<S> span = ball_span(ray, a, cone.radius_a);
   const auto include = [&](const SpanOf<S>& part) __attribute__((always_inline)) {
     span = {least(span.enter, part.enter), greatest(span.leave, part.leave)};
@@ -169,7 +169,7 @@ template <class S>
   return near.restored(found);
 }
 
-/// The convex hull of two balls, one of which may hold the other.
+/// The hit of the convex hull of two balls, one of which may contain the other.
 inline MaybeHit hit_balls(const LocalRay& ray, const Vec3d& a, double radius_a, const Vec3d& b, double radius_b) {
   if (length(b - a) <= std::abs(radius_a - radius_b) || a == b)
     return radius_a >= radius_b ? hit_sphere(ray, a, radius_a) : hit_sphere(ray, b, radius_b);

@@ -1,7 +1,7 @@
 // Rays at surfaces of triangles: meshes and height fields.
 //
-// Guarantee: every triangle that the ray crosses is found, however thin its bounds: they are widened by what rounding
-// can move a crossing by. Nearer subtrees first, so that a ray that shrinks prunes the rest.
+// Guarantee: every triangle that the ray crosses is found, however thin its bounds: these are widened by the rounding
+// of a crossing. Nearer subtrees come first, so that the shortened ray prunes the rest.
 #pragma once
 
 #include "rays/bvh_traversal.hpp"
@@ -13,14 +13,14 @@
 
 namespace graze::rays {
 
-/// Component by component; infinite where the ray does not move.
+/// The inverse of each component; infinite for zero.
 inline Vec3d inverse_of(const Vec3d& direction) {
   const auto inverse = [](double v) { return v == 0 ? infinity : 1 / v; };
   return {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
 }
 
-/// Calls `f(leaf, i)` for the triangles of a mesh that the ray may cross; `f` returns how far it has still to be
-/// followed. `radius` as in `BvhQuestion`.
+/// Calls `f(leaf, i)` for the triangles of a mesh that the ray may cross; `f` returns the length up to which the ray is
+/// still to be followed. `radius` as in `BvhQuestion`.
 template <class T, class F>
 void traverse_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f) {
   BvhQuestion<T> question{
@@ -45,12 +45,12 @@ class TriangleCast {
   TriangleCast(const LocalRay& far, const Vec3d& center, bool both_sides, Found& found)
       : near_(recentered(far, center)), end_(near_.ray.end), both_sides_(both_sides), found_(found) {}
 
-  /// Whose origin is near the centre.
+  /// The ray with its origin near the centre.
   const LocalRay& ray() const { return near_.ray; }
-  /// How far it has still to be followed.
+  /// The length up to which it is still to be followed.
   double end() const { return end_; }
 
-  /// `number()` tells the triangle's, where it is hit.
+  /// Casts the ray at one triangle; `number()` returns its number and is called for a hit. Returns `end()`.
   template <class Corners, class Number>
   GRAZE_FLATTEN double at(const Corners& corners, const Number& number) {
     const LocalRay& ray = near_.ray;
@@ -77,15 +77,15 @@ class TriangleCast {
 
   Recentered near_;
   double end_;
-  std::optional<RayAlignedFrame<double>> frame_;  // many a ray comes near nothing
+  std::optional<RayAlignedFrame<double>> frame_;  // absent until needed: many rays come near no triangle
   bool both_sides_;
   Found& found_;
 };
 
-/// Whatever the ray, from near the ball, meets in it is within that distance of its origin; less than zero when it
+/// An upper bound of the distance, from the ray's origin, of all that the ray meets in the ball; less than zero when it
 /// passes the ball.
 inline double reach_to(const Vec3d& center, double radius, const LocalRay& ray) {
-  // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
+  // For a ray from afar the nearest point is known up to the rounding of its origin.
   const Vec3d to = center - ray.origin;
   const double reach = radius + greatest(dot(to, ray.direction), 0.0);
   return length_squared(to) <= reach * reach ? reach : -1;
