@@ -33,7 +33,7 @@ struct ContactPoint {
 template <class T>
 struct Manifold {
   Vec3<T> normal{};                        ///< unit, from A to B
-  SmallVector<ContactPoint<T>, 8> points;  ///< where they touch
+  SmallVector<ContactPoint<T>, 8> points;  ///< points of contact
   std::uint32_t piece_a = 0, piece_b = 0;  ///< the triangle or child of a composite that touches, else 0
   /// `bounded` where the distance of two convex pieces that touch here is not proven.
   Status status = Status::converged;

@@ -37,7 +37,7 @@ enum class DrawMeaning : std::uint8_t {
   contact,    ///< a point of contact, or the overlap of two intervals
   normal,     ///< a normal or another direction
   gap,        ///< the shortest connection of two shapes
-  ruled_out,  ///< what was tried and decided nothing: an axis, a candidate
+  ruled_out,  ///< a trial that decided nothing: an axis, a candidate
   bounds,     ///< a box around something
   path,       ///< the path of a body or of a ray
   ghost,      ///< a position along a path
@@ -48,7 +48,7 @@ enum class DrawMeaning : std::uint8_t {
 struct DrawColor {
   std::uint8_t red, green, blue;  ///< 0 to 255 each.
 };
-/// The colour that the project's own pictures give a meaning, to be told apart on light paper and on dark.
+/// The colour of a meaning in the project's own pictures, distinct on light paper and on dark.
 GRAZE_API DrawColor suggested_color(DrawMeaning meaning);
 
 /// The region of interest of a drawing. Unbounded things are drawn about its centre as far as its size, and arrows are

@@ -24,7 +24,7 @@ class GRAZE_API InvalidValue : public std::invalid_argument {
   /// The value that was found there.
   const std::string& found() const noexcept { return found_; }
 
-  /// This error as seen from one level further out: the path becomes `outer.path` (or `outer[..]` before an index).
+  /// The error as seen from one level further out: the path becomes `outer.path` (or `outer[..]` before an index).
   InvalidValue below(const std::string& outer) const;
 
  private:

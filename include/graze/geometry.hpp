@@ -240,7 +240,7 @@ Plane<T> plane_from(const Vec3<T>& normal, const T& distance) {
 /// A box in any place: centre and rotation as a pose, half extents along its own axes.
 template <class T>
 struct OrientedBox {
-  Pose<T> pose{};  ///< where it stands
+  Pose<T> pose{};  ///< pose of the box's frame
   Vec3<T> half{};  ///< half of the edge lengths
 };
 

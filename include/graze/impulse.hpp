@@ -41,7 +41,7 @@ struct StruckContact {
 template <class T>
 struct Response {
   RelativeVelocity<T> approach{};       ///< velocity of B relative to A before the impact
-  AtFault at_fault = AtFault::neither;  ///< which body moves into the other
+  AtFault at_fault = AtFault::neither;  ///< body whose own velocity leads into the other
   T effective_mass{};                   ///< 1 / n·K n: the inertia along the normal; infinite for two immovable bodies
   T normal_impulse{};                   ///< j >= 0
   Vec3<T> sliding{};                    ///< the tangential velocity that j leaves

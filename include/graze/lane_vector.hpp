@@ -32,7 +32,7 @@ template <class Whole, class V>
 [[gnu::always_inline]] inline V either_of(const Whole& condition, const V& yes, const V& no) {
   return condition ? yes : no;
 }
-/// As many lanes as there are indices `I`, from `first` on.
+/// Consecutive lanes from `first` on, one for each of the indices `I`.
 template <std::size_t first, class V, std::size_t... I>
 [[gnu::always_inline]] inline auto lanes_from(const V& v, std::index_sequence<I...>) {
   return __builtin_shufflevector(v, v, (first + I)...);
@@ -118,7 +118,7 @@ template <class Whole, class V>
 inline V either_of(const Whole& condition, const V& yes, const V& no) {
   return V::of([&](int i) { return condition[i] != 0 ? yes[i] : no[i]; });
 }
-/// As many lanes as there are indices `I`, from `first` on.
+/// Consecutive lanes from `first` on, one for each of the indices `I`.
 template <std::size_t first, class V, std::size_t... I>
 inline auto lanes_from(const V& v, std::index_sequence<I...>) {
   return LaneVector<typename V::Lane, static_cast<int>(sizeof...(I))>{{v.lane[first + I]...}};

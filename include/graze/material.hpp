@@ -46,7 +46,8 @@ constexpr T combined(T a, T b, Combine how) {
 /// The combined material of a contact.
 template <class T>
 struct ContactMaterial {
-  T static_friction{}, dynamic_friction{}, restitution{}, rolling_friction{};  ///< as in `Material`, for the two
+  T static_friction{}, dynamic_friction{}, restitution{}, rolling_friction{};  ///< combined coefficients, each as in
+                                                                               ///< `Material`
                                                                                ///< together
 };
 

@@ -21,18 +21,18 @@ class SmallVector {
 
  public:
   SmallVector() {}  // NOLINT(modernize-use-equals-default): a union would delete it
-  /// As of `std::vector`.
+  /// Copies the elements, as `std::vector` does.
   SmallVector(const SmallVector& other) { *this = other; }
-  /// As of `std::vector`.
+  /// Takes over the elements, as `std::vector` does.
   SmallVector(SmallVector&& other) noexcept { *this = std::move(other); }
-  /// As of `std::vector`.
+  /// Copies the elements, as `std::vector` does.
   SmallVector& operator=(const SmallVector& other) {
     if (this == &other) return *this;
     outside_ = other.outside_;
     take_inside(other);
     return *this;
   }
-  /// As of `std::vector`.
+  /// Takes over the elements, as `std::vector` does.
   SmallVector& operator=(SmallVector&& other) noexcept {
     if (this == &other) return *this;
     outside_ = std::move(other.outside_);
@@ -56,7 +56,7 @@ class SmallVector {
   const T& back() const { return data()[size_ - 1]; }
   void clear() { size_ = 0; }
 
-  /// As of `std::vector`.
+  /// Appends an element, as `std::vector` does.
   void push_back(const T& value) {
     if (size_ < N) [[likely]]
       inside_[size_] = value;

@@ -63,7 +63,7 @@ concept TypedPair = most_contacts<A, B> >
 template <class T, std::size_t N>
 struct FixedManifold {
   Vec3<T> normal{};  ///< unit, from A to B, in the world; without meaning where there are no points
-  FixedVector<ContactPoint<T>, N> points;  ///< where they touch
+  FixedVector<ContactPoint<T>, N> points;  ///< points of contact
   bool overlap = false;                    ///< distance <= 0, whatever the margin
   Status status = Status::converged;       ///< `bounded` where the distance is not proven
   T error{};                               ///< bound on the error of the points' distances where `bounded`

@@ -26,9 +26,9 @@ double smaller_size(const Side<T>& a, const Side<T>& b) {
   return least(a.size(), b.size());
 }
 
-/// As `on_surface` for an edge, for a place on the side of a cylinder, which is round across its generator: a place
-/// beside the generator by this much is off the side by half its square. A depth is right to ten digits and its normal,
-/// which determines the generator, to five.
+/// Distance beside the generator of a cylinder's side within which a place counts as on the side, like `on_surface` for
+/// an edge. The side is round across its generator: a place beside that by this much is off the side by half its
+/// square. A depth is right to ten digits and its normal, which determines the generator, to five.
 constexpr double on_side = 2e-5;
 
 /// The points on the two surfaces over a place where the cores' faces meet, one straight above the other. Two edges

@@ -25,7 +25,7 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
   const auto put = [&](std::size_t i, const Vec3<T>& p) {
     for (std::size_t k = 0; k < 3; ++k) out.points[i][k] = static_cast<double>(p[k]);
   };
-  // As in `hit_balls`.
+  // Cases of `hit_balls`.
   const auto put_balls = [&](const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
     const Vec3d between = converted<double>(b) - converted<double>(a);
     const double radius_a = static_cast<double>(core_a) + margin, radius_b = static_cast<double>(core_b) + margin;

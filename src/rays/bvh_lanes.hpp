@@ -172,7 +172,7 @@ struct BvhRay {
   float begin;                       ///< a key
 
   std::uint32_t axis[3];  ///< for the triangles: the coordinate that is x, y and z of a frame along the ray
-  T sheared_origin[3];    ///< that frame's origin, in its own order
+  T sheared_origin[3];    ///< origin of that frame, in its own order
   T scale, part_scale;    ///< 1 / unit, and that for a part of a step
   float shear_x, shear_y;
   float off;  ///< displacement of a corner in the frame by rounding
@@ -293,7 +293,7 @@ template <class T>
                                          std::uint32_t place) {
   const auto inner = reinterpret_cast<std::uintptr_t>(nodes) + sizeof node * (node.first_child + place);
   const auto leaf = reinterpret_cast<std::uintptr_t>(leaves) + sizeof *leaves * (node.first_leaf + place - node.inner);
-  // Which of the two is unpredictable: no branch.
+  // Unpredictable which of the two it is: no branch.
   const std::uintptr_t if_inner = -static_cast<std::uintptr_t>(place < node.inner);
   const auto* child = reinterpret_cast<const char*>(leaf ^ ((inner ^ leaf) & if_inner));
   __builtin_prefetch(child);

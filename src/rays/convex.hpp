@@ -103,7 +103,7 @@ inline constexpr bool cast_at_once<Box<T>> = true;
 template <class T>
 inline constexpr bool cast_at_once<HalfSpace<T>> = true;
 
-/// Where the ray enters a convex shape of one kind or crosses a triangle, in the shape's own frame.
+/// The hit where the ray enters a convex shape of one kind or crosses a triangle, in the shape's own frame.
 template <class C, class T>
 MaybeHit hit_convex(const C& concrete, T margin, const LocalRay& ray, BackFaces back) {
   if constexpr (!cast_at_once<C>)

@@ -16,7 +16,7 @@ static_assert(FieldPyramid<float>::side == row_lanes);
 template <class T>
 struct Row {
   Wide<T, row_lanes> low, high;
-  Places some;  ///< those that are not all holes
+  Places some;  ///< mask without blocks that are all holes
 };
 
 template <class T>

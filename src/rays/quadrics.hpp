@@ -108,8 +108,8 @@ inline MaybeHit hit_ellipse(const LocalRay& ray, const Vec3d& radii, std::size_t
     if (!(length(scaled_down(ray.at(t))) <= 1) || t < ray.begin || t > ray.end) return {};
     return hit_at(ray, t, normal);
   }
-  // As for the ball: the quadratic's coefficients would cancel where the ellipse is thin and the ray begins far from
-  // it.
+  // By distances as for the ball: the quadratic's coefficients would cancel where the ellipse is thin and the ray
+  // begins far from it.
   const Vec3d d = scaled_down(ray.direction);
   const double speed = length(d);
   const Span span = ball_span(LocalRay{scaled_down(ray.origin), d / speed, 0, 0, 0}, {}, 1);

@@ -27,7 +27,7 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
                     const rays::BlockFrame& frame) {
   constexpr bool single = sizeof(T) == 4;
   constexpr double epsilon = single ? 0x1p-23 : 0x1p-52;
-  // As in `longest` and `end_of` of one ray.
+  // Values of `longest` and `end_of` for one ray.
   constexpr double longest = single ? 1e37 : 1e150, most = 1.7976931348623157e308;
   const Rotation rotation(frame);
   const S zero(0), one(1);

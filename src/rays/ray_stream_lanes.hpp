@@ -65,11 +65,11 @@ class RayStream {
   struct Ray {
     BvhRay<T> bvh_ray;
     float limit;
-    Ref node;  ///< where it is
+    Ref node;  ///< node that the ray is at
     Leaf leaf;
     std::size_t waiting;  ///< nodes to come back to
   };
-  /// As `BvhQuestion`.
+  /// A ray with the names of `BvhQuestion`, for the constructor of `BvhRay`.
   struct Line {
     double extent, radius, origin[3], direction[3], begin, end;
   };
@@ -78,7 +78,7 @@ class RayStream {
     std::uint8_t ray, lane;
   };
 
-  /// As `recentered`, `RayAlignedFrame` and the beginning of `cast_at_surface`.
+  /// Prepares rays: `recentered`, `RayAlignedFrame` and the beginning of `cast_at_surface`, for lanes.
   [[gnu::always_inline]] void enter(std::size_t i) {
     const V direction = load_vec3<S>(block_.direction, first_ + i), center = broadcast<S>(surface_.question.center);
     V origin = load_vec3<S>(block_.origin, first_ + i);
@@ -188,7 +188,7 @@ class RayStream {
     leaf_.count = 0;
   }
 
-  /// As `TriangleCast`.
+  /// Tests candidates: `TriangleCast` for lanes.
   [[gnu::always_inline]] void test(std::size_t at, std::size_t end) {
     double corner[3][3][step], origin[3][step], shear[3][step], from[step], to[step];
     for (std::size_t lane = 0; lane < step; ++lane) {
@@ -239,7 +239,7 @@ class RayStream {
 
   [[gnu::always_inline]] std::uint32_t piece(const Candidate& c) const { return surface_.piece(c.leaf, c.lane); }
 
-  /// As `TriangleCast` returns a hit.
+  /// Writes the hits, as `TriangleCast` returns them.
   [[gnu::always_inline]] void leave(std::size_t i) {
     double corner[3][3][step] = {}, t[step] = {}, along[step] = {};
     for (std::size_t lane = 0; lane < step; ++lane) {

@@ -139,7 +139,7 @@ MaybeHit hit_in_plane(const LocalRay& ray, std::size_t count, const Vertex& vert
     }
   const Vec3d area = area_vector(count, vertex);
   const double slack = 8 * epsilon * (size + max_abs(ray.origin - vertex(0)));
-  // So thin that its plane is unknown: its longest side contains the others.
+  // The plane of so thin a polygon is unknown: its longest side contains the others.
   if (!(length(area) > slack * size)) return hit_balls(ray, vertex(one), 0, vertex(other), 0);
   const Vec3d up = normalized(area);
   double enter = -infinity, leave = infinity;

@@ -20,7 +20,7 @@ struct SceneCast {
   Velocity<double> velocity{};   ///< in the world, per unit of time
   double duration = 1;           ///< duration of the motion
   std::optional<Vec3d> about{};  ///< point about which the spin turns; by default the origin of the first collider
-  CastOptions options{};         ///< as for `graze::cast`
+  CastOptions options{};         ///< options of `graze::cast`
   Precision precision = Precision::double_precision;  ///< scalar of the computation
 };
 

@@ -46,7 +46,7 @@ class GRAZE_API WholeFileWriter {
   void close();                        ///< gives the file its name: without this call nothing is written
 
  private:
-  std::filesystem::path file_, target_, written_;  ///< as named, the target of links, and the file that takes the bytes
+  std::filesystem::path file_, target_, written_;  ///< file as named, target of links, file that takes the bytes
   std::ofstream out_;
 };
 

@@ -12,8 +12,8 @@ namespace graze::io {
 
 /// The state of a body of the plane at a time.
 struct PlaneBodyState {
-  plane::Vec2d translation{};  ///< of its first collider's origin
-  double rotation = 0;         ///< of its first collider, from -pi to pi
+  plane::Vec2d translation{};  ///< origin of its first collider
+  double rotation = 0;         ///< angle of its first collider, from -pi to pi
   plane::Vec2d linear{};       ///< velocity of the centre of mass
   double angular = 0;          ///< counter-clockwise with Y up
   bool asleep = false;         ///< whether it rests until something wakes it
@@ -24,7 +24,7 @@ struct PlaneSimulationFrame {
   double time = 0;                     ///< since the start, in the units of gravity
   std::vector<PlaneBodyState> bodies;  ///< in the order of `moving_bodies`
   std::vector<ContactState> contacts;  ///< in the order of pairs
-  double kinetic_energy = 0;           ///< of all bodies that move
+  double kinetic_energy = 0;           ///< sum over all moving bodies
   double potential_energy = 0;         ///< in the gravity of the scene, zero at its origin
 };
 

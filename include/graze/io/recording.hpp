@@ -31,7 +31,7 @@ struct ContactState {
   std::uint32_t a = 0, b = 0;  ///< indices into `Scene::bodies`
   std::size_t points = 0;      ///< number of contact points
   double impulse = 0;          ///< sum of the normal impulses
-  double depth = 0;            ///< of the deepest point; 0 for a gap
+  double depth = 0;            ///< penetration of the deepest point; 0 for a gap
 };
 
 /// The state of a simulation at one time.

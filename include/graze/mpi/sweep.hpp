@@ -40,7 +40,7 @@ struct SweepSettings {
   std::string journal;
   /// Bytes of each query, of any content; 0 where a query is a line.
   std::uint64_t record_bytes = 0;
-  std::string kind;  ///< whatever the answers depend on beside the queries: the program's version, the precision
+  std::string kind;  ///< further inputs of the answers beside the queries: the program's version, the precision
 };
 
 /// Appends the answer to a line, which is not blank, or to a record, to `out`; `number` counts them from 1. Returns

@@ -73,7 +73,7 @@ GRAZE_API Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const 
 /// pieces; for polygons and chains one for all pieces side by side that share a normal, along normals of their
 /// outlines. Returns whether the shapes overlap (distance <= 0, whatever the margin, and on either side of a chain).
 ///
-/// Where two edges face each other, a manifold has a point at both ends of the stretch that they share; its feature
+/// Two edges that face each other give a manifold with a point at both ends of the stretch that they share; its feature
 /// names the vertices of both edges at that end, so that it is the same whichever edge ends first, and mirrored when
 /// the shapes are swapped. The deepest point is as deep as `distance`.
 ///

@@ -45,7 +45,7 @@ class Box {
       p[major] = positive[major] ? half_[major] : -half_[major];
       p[u] = positive_u ? half_[u] : -half_[u];
       p[v] = positive_v ? half_[v] : -half_[v];
-      // Both ends of a side of zero length are one corner, with one number.
+      // A side of zero length has one corner for its two ends, with one number.
       face.push(p, (std::size_t(positive[major]) << major) | (std::size_t(positive_u && half_[u] > T(0)) << u) |
                        (std::size_t(positive_v && half_[v] > T(0)) << v));
     };

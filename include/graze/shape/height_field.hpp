@@ -44,7 +44,7 @@ class GRAZE_API HeightField {
   std::size_t rows() const;     ///< number of samples along Z
   T spacing_x() const;          ///< distance between columns
   T spacing_z() const;          ///< distance between rows
-  Sides sides() const;          ///< which sides count
+  Sides sides() const;          ///< sides that push
   /// The heights as given, with NaN for holes.
   std::span<const T> heights() const;
   /// Whether the cell that begins at this sample is missing.

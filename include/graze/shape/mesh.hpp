@@ -41,7 +41,7 @@ class GRAZE_API Mesh {
   /// directions. A closed mesh has a mass, and an inside for `closest`; for all other queries it has an inside if it is
   /// made `solid`.
   bool closed() const;
-  Sides sides() const;  ///< which sides count
+  Sides sides() const;  ///< sides that push
   /// Whether the inside belongs to the mesh: for `overlap`, `distance`, `contacts`, casts and rays.
   bool solid() const;
   /// The data that copies of the shape share.

@@ -73,7 +73,7 @@ void drop_twice(PointBlock<T>& block) {
 template <class T>
 struct MetPairs {
   const typename BatchContacts<T>::Group* manifolds;  ///< one for each pair
-  const ContactPoint<T>* points;                      ///< of all pairs, pair after pair
+  const ContactPoint<T>* points;                      ///< points of all pairs, pair after pair
   std::size_t count, point_count;
   const std::uint32_t* places;  ///< indices among the pairs that were passed in
   const T* distances;

@@ -87,7 +87,7 @@ struct PointBlock {
   const std::uint32_t* pairs;  ///< numbers of the pairs, where the form has them; read in multiples of the lanes
 
   std::uint32_t known;                        ///< bit k: the k-th pair is known
-  std::uint32_t manifold_count, point_count;  ///< of all pairs together
+  std::uint32_t manifold_count, point_count;  ///< totals over all pairs
   bool any_twice;                             ///< whether two points of a pair have the same features
 };
 template <class T>
@@ -113,7 +113,7 @@ struct alignas(64) MetBoxes {
 
   T number[columns][room];
   std::uint32_t place[room];
-  std::size_t first = 0, count = 0;  ///< of the waiting pairs: the next one, and the end
+  std::size_t first = 0, count = 0;  ///< first waiting pair, and the end of the waiting ones
 };
 
 /// The contact of two shapes that touch in one point at most.
@@ -122,7 +122,7 @@ struct PointContact {
   ContactPoint<T> point;
   Vec3<T> normal;
 };
-/// How two shapes meet, needed before their contact is read; `lying`: the contact is the next in a list of
+/// The kind of a pair's meeting, needed before its contact is read; `lying`: the contact is the next in a list of
 /// `SegmentContact`.
 enum class Meeting : std::uint8_t { apart, touching, unknown, lying };
 
@@ -156,13 +156,13 @@ GRAZE_DECLARE_KERNEL(
     /// their number. Fewer than a block may wait in `met` before.
     template <class T> std::size_t box_axes(const PairRef<T>* pairs, std::size_t count, std::uint32_t place,
                                             MetBoxes<T>& met, std::uint32_t* apart);
-    /// As `box_axes`, for pairs in rows; `bundled(count)` rows are read.
+    /// The axes of pairs in rows, as `box_axes` finds them; `bundled(count)` rows are read.
     template <class T> std::size_t box_row_axes(const PairRows<T>& rows, std::size_t count, T margin,
                                                 std::uint32_t place, MetBoxes<T>& met, std::uint32_t* apart);
     /// Finds the points of the next `count` <= `block_pairs` pairs of `met`, behind which there must be numbers for the
     /// lanes that stay empty.
     template <class T> void box_points(const MetBoxes<T>& met, std::size_t count, PointBlock<T>& block);
-    /// As `box_points`, in compact form.
+    /// The points of `box_points` in compact form.
     template <class T> void box_compact_points(const MetBoxes<T>& met, std::size_t count, CompactBlock<T>& block);
     /// The axes of pairs of a box and a triangle, and the points of up to `block_pairs` along them.
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleReferenceAxis<T>* axes);
@@ -180,12 +180,13 @@ GRAZE_DECLARE_KERNEL(
     template <class A, class B, class T> void sphere_capsule_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings,
                                                              SegmentContact<T>* sides);
-    /// As `sphere_capsule_contacts`, for pairs in rows, of any capsules and boxes. `turned`: A is the caller's second
-    /// shape. `bundled(count)` rows are read, and there must be capacity for as many manifolds and points.
+    /// The contacts of `sphere_capsule_contacts` for pairs in rows, of any capsules and boxes. `turned`: A is the
+    /// caller's second shape. `bundled(count)` rows are read, and there must be capacity for as many manifolds and
+    /// points.
     template <class A, class B, class T> void sphere_capsule_row_contacts(const PairRows<T>& rows, std::size_t count, T margin,
                                                                  bool turned, const ContactRows<T>& to,
                                                                  RowCounts& found);
-    /// As `sphere_capsule_contacts`, for capsules with boxes.
+    /// The contacts of capsules with boxes, in the form of `sphere_capsule_contacts`.
     template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
                                                  PointContact<T>* contacts, Meeting* meetings,
                                                  SegmentContact<T>* sides);

@@ -8,7 +8,7 @@ namespace graze {
 
 /// Roundings relative to the smaller shape.
 struct AnswerRounding {
-  double normal;  ///< of a normal's components
+  double normal;  ///< rounding of a normal's components
   double point;   ///< distance within which two points count as one
 };
 template <class T>

@@ -32,7 +32,7 @@ GRAZE_DECLARE_KERNEL(
     template <class T> void hull_support(const HullPair<T>& hulls, const Vec3d& direction, SupportPoint& point);
     /// Transforms B's vertices. Costs as much as two or three queries.
     template <class T> void place_vertices(const HullPair<T>& hulls, PlacedVertices& placed);
-    /// As `hull_support`, to the last bit, with placed vertices.
+    /// The point of `hull_support`, to the last bit, from placed vertices.
     template <class T> void placed_support(const HullPair<T>& hulls, const PlacedVertices& placed,
                                            const Vec3d& direction, SupportPoint& point);)
 // clang-format on

@@ -12,8 +12,9 @@ CorePoints<S> nearest_points(const SegmentCore<S>& a, const SegmentCore<S>& b) {
   return {point_at(a.segment, s), point_at(b.segment, t)};
 }
 
-/// As `closest_parameters`: from the nearest points of the two lines, one clamped and the other's nearest to it, each
-/// in turn. Unit axes leave a single division: the numbers are lengths along them.
+/// The nearest points of two segments, by the method of `closest_parameters`: from the nearest points of the two lines,
+/// one clamped and the other's nearest to it, each in turn. Unit axes leave a single division: the numbers are lengths
+/// along them.
 template <class S>
 CorePoints<S> nearest_points(const TurnedAxis<S>& a, const TurnedAxis<S>& b) {
   const Vec3<S> n = cross(a.axis, b.axis), apart = b.middle - a.middle;

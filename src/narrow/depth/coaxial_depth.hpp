@@ -1,7 +1,7 @@
 // A lower bound of the depth of two bodies of revolution whose axes are the same, or nearly.
 //
-// Where the axes coincide all directions around them are equal, and a polytope that expands towards the depth has to
-// approximate a whole circle of them: it ends at its bound of steps with an error bound of 1e-4 for a depth that is
+// Coincident axes make all directions around them equal, and a polytope that expands towards the depth has to
+// approximate a whole circle of these: it ends at its bound of steps with an error bound of 1e-4 for a depth that is
 // right. But the Minkowski difference of the two is a body of revolution itself, and its profile the sum of theirs: a
 // convex polygon with rounded corners. The depth of the origin in it is the least over its flat sides, which have the
 // directions of the axis and of the sides of either (on a rounded corner the depth is least at an end, or along the

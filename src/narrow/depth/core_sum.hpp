@@ -62,7 +62,7 @@ class SumSide {
 
   Vec3d center, half, radii;
   bool round;  ///< has an ellipsoid
-  bool disc;   ///< which is a cylinder's disc, about its Y
+  bool disc;   ///< the ellipsoid is a cylinder's disc, about its Y
 
   /// The extent of the core along a vector.
   double extent(const Vec3d& n) const {

@@ -93,7 +93,7 @@ class Cells {
 /// linear terms.
 struct Sector {
   S u0, v0, u1, v1;
-  S meet;  ///< that point as a multiple of the sum of the two
+  S meet;  ///< intersection of the tangent lines, as a multiple of the sum of both tangents
 
   [[gnu::always_inline]] Sector(const S& a_u, const S& a_v, const S& b_u, const S& b_v)
       : u0(a_u), v0(a_v), u1(b_u), v1(b_v), meet(S(1) / (S(1) + a_u * b_u + a_v * b_v)) {}

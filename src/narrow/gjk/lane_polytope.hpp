@@ -135,8 +135,8 @@ class LanePolytope {
   alignas(64) double along_x_[most_facets], along_y_[most_facets], along_z_[most_facets];
   /// The signed square of the offset, by which facets are ordered, and available earlier. Infinite if closed.
   alignas(64) double rank_[most_facets];
-  std::uint8_t vertex_[4 * most_facets];   ///< of edge 4 f + e the starting vertex; counter-clockwise from outside
-  std::uint16_t across_[4 * most_facets];  ///< the same edge in the neighbour
+  std::uint8_t vertex_[4 * most_facets];   ///< starting vertex of edge 4 f + e; counter-clockwise from outside
+  std::uint16_t across_[4 * most_facets];  ///< number of the same edge in the neighbour
   union {
     SupportPoint point_[most_points + 1];  ///< in a union, so that no unread zeros are written
   };
@@ -169,7 +169,7 @@ void LanePolytope::begin(const SupportPoint* t) {
   }
   facets_ = block;
   least_ = Doubles(gone);
-  // The same facets, a byte each.
+  // Vertices of these facets, a byte each.
   constexpr std::uint64_t from = 0x01020001, to = 0x02010200, last = 0x00030303;
   for (std::size_t k = 0; k < block; k += lanes)
     set_planes(k, corners(from >> 8 * k), corners(to >> 8 * k), corners(last >> 8 * k));

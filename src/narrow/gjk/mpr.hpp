@@ -50,7 +50,7 @@ struct PortalSum {
     const Vec3<S> v = scaled(radii, d);
     const S squared = length_squared(v), along = sqrt(squared);
     const auto up = half.y * d.y * S(2) + (top - bottom) * along >= S(0);
-    // So short a direction has no component along which the shape is round.
+    // Too short a direction has no component along which the shape is round.
     const S share = select(squared > S(1e-35f), select(up, top, bottom) / along, S(0));
     const auto right = d.x >= S(0), front = d.z >= S(0);
     return scaled(radii, v) * share +

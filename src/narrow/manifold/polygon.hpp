@@ -97,7 +97,7 @@ void simplify(Outline& outline, T near, const Apart& apart) {
       const T lost = again ? T(0) : std::abs(cross(before, p, after));
       if (lost > budget || lost * lost > near * near * distance_squared(before, after) || (n == 2 && !again)) continue;
       if (least_corner < n) {
-        // Both ends of a trapezoid's side cost the same: the shallower is removed, or rounding would choose.
+        // Removing either end of a trapezoid's side costs the same: the shallower is removed, or rounding would choose.
         const bool same = std::abs(lost - least_lost) <= T(same_cost) * least_lost;
         if (same ? apart(p) <= apart(points[least_corner]) : lost > least_lost) continue;
       }

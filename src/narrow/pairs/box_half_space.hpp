@@ -60,7 +60,7 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
     slot.distance = found.distance + (lowest_along - dot(d, corner));
     slot.of_body = pose.translation + Vec3<S>{dot(wx, corner), dot(wy, corner), dot(wz, corner)};
     slot.of_plane = slot.of_body - found.up * slot.distance;
-    // Both ends of a side of zero length are one corner, with one number.
+    // A side of zero length has one corner for its two ends, with one number.
     slot.corner = select(upper_u[i] & (half.x > zero), bits.x, zero) +
                   select(upper_v[i] & (half.y > zero), bits.y, zero) + select(forward, bits.z, zero);
     found.filled = found.filled + select(near & is[i] & (slot.distance <= limit), S(T(1 << i)), zero);

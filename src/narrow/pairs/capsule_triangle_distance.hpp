@@ -3,7 +3,7 @@
 //
 // Guarantee: an answer is known only with its proof, a plane that separates the cores by the distance found.
 // `distance`, `overlap` and `contacts` share this answer, so that they agree on touching, for one pair and for many.
-// Where the cores about meet, and for slivers, the general path answers.
+// The general path answers for slivers and where the cores about meet.
 #pragma once
 
 #include "narrow/pairs/sphere_triangle_distance.hpp"

@@ -45,7 +45,7 @@ struct SegmentFace {
   using Mask = decltype(S() < S());
 
   Mask side;
-  Mask top;          ///< which end it is, where it is no side
+  Mask top;          ///< the end is the upper one, where it is no side
   S seen;            ///< square of a unit of its length as seen
   S length_squared;  ///< squared length of the side as seen
   S beside_squared;  ///< squared distance of the given point from the nearer end, as seen

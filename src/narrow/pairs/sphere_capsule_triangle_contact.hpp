@@ -1,7 +1,7 @@
 // Contact of a ball or an untapered capsule with a triangle, across lanes: in one point, or along the capsule's side.
 //
 // Guarantee: in every lane the bits that the pair gives alone: those of `distance`, with the features that faces give.
-// Where `known` is -1, the general path answers.
+// The general path answers where `known` is -1.
 #pragma once
 
 #include "narrow/pairs/capsule_triangle_segment.hpp"

@@ -204,7 +204,7 @@ class HullSatCulling {
   alignas(64) float bound_[face_room];
   float separations_[face_room];
   alignas(64) float down_[3][face_room], below_[face_room];    ///< against the normals, in the other's frame
-  alignas(64) float depth_[face_room][2 * VertexBlock::size];  ///< of the other's vertices below each face
+  alignas(64) float depth_[face_room][2 * VertexBlock::size];  ///< depths of the other's vertices below each face
 };
 
 }  // namespace graze::GRAZE_ISA

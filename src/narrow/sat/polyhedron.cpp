@@ -141,8 +141,8 @@ PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
   const auto faces = incident_begins_.empty()
                          ? incident_
                          : incident_.subspan(incident_begins_[top], incident_begins_[top + 1] - incident_begins_[top]);
-  // Where the direction is perpendicular to an edge, its far end is level with the top: a face that has both is the
-  // edge's own.
+  // For a direction perpendicular to an edge, the edge's far end is level with the top: a face that has both ends is
+  // the edge's own.
   const double level = dot(vertices_[top], direction) - same_height * max_abs(vertices_[top]);
   std::ptrdiff_t most_tied = 0;
   double most = -1;

@@ -235,7 +235,7 @@ void simplify(ContactPolygon<S>& ring, const S& near) {
       if (!any(movable)) return;
     }
     const Around<S> around_lost(ring, lost), around_apart(ring, ring.apart);
-    // Both ends of a trapezoid's side cost the same: the shallower is removed, or rounding would choose.
+    // Removing either end of a trapezoid's side costs the same: the shallower is removed, or rounding would choose.
     const auto level = [&](const Some& p, const Some& q) { return abs(p - q) <= Some(S(T(same_cost))) * least(p, q); };
     Mask dropped = ring.count() < S(0);
     for (std::size_t i = 0; i < ring.size(); i += step) {

@@ -34,7 +34,7 @@ struct ClippedFaces {
 
   /// The outline of the intersection.
   ContactPolygon<S> shared() const {
-    // Both sides' directions in the upper half plane, u's angle the smaller: the parallelogram stays the same.
+    // Directions of both sides in the upper half plane, u's angle the smaller: the parallelogram stays the same.
     const Four zero(S(0));
     const auto lower = [&](const Four& x, const Four& y) { return (y < zero) | ((y == zero) & (x < zero)); };
     const auto mirrored = Four(turn) < zero, turned = lower(permuted<0, 0, 0, 0>(sides), permuted<1, 1, 1, 1>(sides));

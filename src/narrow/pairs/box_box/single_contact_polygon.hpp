@@ -38,7 +38,7 @@ struct CornerOrders {
 };
 static constexpr CornerOrders corner_orders;
 
-/// How many of a single pair's eight numbers are processed at a time: as many as two registers hold.
+/// Numbers of a single pair, out of its eight, that are processed at a time: as many as two registers hold.
 template <class S>
 inline constexpr int ring_step = Packed<S, 8>::parts > 2 ? 4 : 8;
 /// Eight numbers of a single pair.

@@ -108,8 +108,8 @@ struct RectangleAndTriangle {
   FlatPoint<S> half;
   /// Counter-clockwise, the one of the smallest angle first; for an edge, the edge; for a vertex, one of zero length.
   const FlatSide<S> (&side)[3];
-  Mask whole;  ///< it is a triangle
-  Mask edge;   ///< it is an edge
+  Mask whole;  ///< the shape is a triangle
+  Mask edge;   ///< the shape is an edge
   S rounding;  ///< rounding of a position
 
   /// Finds the corners. Ends of an edge within `together` of each other, squared, are one.

@@ -29,7 +29,7 @@ struct MeetingTriangles {
   const TwoTriangles<Row>& p;
   const TriangleAxes<S>& axes;
   S distance;         ///< signed
-  Vec3<S> normal, a;  ///< of the nearest points: the direction from A to B, and the point on A
+  Vec3<S> normal, a;  ///< direction from A to B and the point on A, of the nearest points
   S margin;
   S unit;          ///< unit of the frame, in that of the answer
   Vec3<S> origin;  ///< origin of the frame, in the answer's frame
@@ -73,7 +73,7 @@ ShownPart<S> shown_part(const FlatTriangle<Row>& t, const Vec3<S>& outward, cons
 template <class S>
 struct ShownParts {
   using Mask = decltype(S() < S());
-  ShownPart<S> of[2];  ///< of A and of B
+  ShownPart<S> of[2];  ///< features of A and of B
   Mask crossing;       ///< a vertex of either, or two edges: they meet in one point
   Mask parallel;       ///< two edges that are about parallel and run along each other
 
