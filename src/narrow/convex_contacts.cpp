@@ -1,5 +1,5 @@
 // The general path to the manifold of two convex shapes: the normal from their distance, the points from their support
-// faces. Special pairs are in pair_table.cpp.
+// faces. Special pairs are in pair_contacts.cpp.
 #include <algorithm>
 
 #include "narrow/core/core.hpp"
