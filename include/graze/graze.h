@@ -2,24 +2,23 @@
 //
 // Guarantee: answers are those of the C++ interface, bit for bit, and so are their guarantees, which stand in the C++
 // headers named below. No exception leaves a function. A function that can fail returns a GrazeStatus and, where that
-// is not GRAZE_OK, has changed nothing: neither what it was asked to change nor what its result pointers point to.
-// `graze_last_error` then says which value is at fault, what was expected there and what was found. A null pointer is
+// is not GRAZE_OK, has changed nothing: neither its object nor the variables that its result pointers point to.
+// `graze_last_error` then returns the value at fault, the expectation there and the value found. A null pointer is
 // refused that way unless a comment says "or null"; so are a pose whose rotation is not of unit length (a pose of
-// zeros, say), numbers that are not finite, and handles of another kind. Handles that were released, and pointers to
-// less memory than is said, cannot be told: they are the caller's to keep right.
+// zeros, say), numbers that are not finite, and handles of another kind. Released handles, and pointers to less memory
+// than given, cannot be detected: they are the caller's responsibility.
 //
-// Everything exists twice: names that end in d are for double, those that end in f for float. What is said of the one
-// holds for the other, whose declarations follow at the end.
+// Everything exists twice: names that end in d are for double, those that end in f for float. The comments of one hold
+// for the other, whose declarations follow at the end.
 //
 // Lengths, masses and times are in the caller's units, angles in radians. Normals are unit vectors that point from A to
 // B; distances are signed: positive between separated shapes, negative when they overlap.
 //
-// Arrays are read where they stand. With each comes its stride: how many bytes lie between the beginnings of two
-// elements, or 0 where they stand one behind the other. So the positions of a caller's own structs can be asked about
-// without a copy.
+// Arrays are read in place. With each comes its stride: the number of bytes between the beginnings of two elements, or
+// 0 for contiguous elements. So the positions in a caller's own structs can be queried without a copy.
 //
-// Threads: queries about shapes may be asked from any thread, also about the same shapes. What changes a world, a
-// simulation or a buffer needs it alone. The last error is each thread's own.
+// Threads: queries on shapes may be called from any thread, also on the same shapes. A function that changes a world, a
+// simulation or a buffer needs exclusive access to it. The last error is each thread's own.
 #ifndef GRAZE_GRAZE_H
 #define GRAZE_GRAZE_H
 
@@ -33,7 +32,7 @@
 #define GRAZE_C_API
 #endif
 
-// Seen from C++ an enumeration is an int, so that a number that is no enumerator is a value like any other: refused.
+// An enumeration is an int for C++, so that a number that is no enumerator is a value like any other, and refused.
 #ifdef __cplusplus
 #define GRAZE_AS_INT : int32_t
 #else
@@ -62,8 +61,8 @@ typedef enum GrazeStatus GRAZE_AS_INT {
   GRAZE_FAILED = 3  // a callback threw, or the library has a defect
 } GrazeStatus;
 
-// What was wrong with the last call of this thread that failed: "path: expected this, got that". Never null; stays
-// valid until the next failure in this thread.
+// The message of the last failed call in this thread: "path: expected this, got that". Never null; stays valid until
+// the next failure in this thread.
 GRAZE_C_API const char *graze_last_error(void);
 
 // The version of the library that is linked, as GRAZE_VERSION and as GRAZE_VERSION_STRING.
@@ -71,10 +70,10 @@ GRAZE_C_API uint32_t graze_version(void);
 GRAZE_C_API const char *graze_version_string(void);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What float and double have in common
+// Common to float and double
 // ---------------------------------------------------------------------------------------------------------------------
 
-// How sure an answer is (graze/result.hpp).
+// Certainty of an answer (graze/result.hpp).
 typedef enum GrazeCertainty GRAZE_AS_INT {
   GRAZE_CONVERGED = 0,  // right within the tolerance
   GRAZE_BOUNDED = 1,    // right within the answer's `error`
@@ -112,36 +111,37 @@ typedef enum GrazePlaneShapeKind GRAZE_AS_INT {
   GRAZE_PLANE_COMPOUND = 10
 } GrazePlaneShapeKind;
 
-// Which sides of a surface without thickness push (graze/shape/sides.hpp); of a chain in the plane, the right one.
+// Sides of a surface without thickness that push (graze/shape/sides.hpp); for a chain in the plane, front is the right
+// one.
 typedef enum GrazeSides GRAZE_AS_INT { GRAZE_SIDES_BOTH = 0, GRAZE_SIDES_FRONT = 1 } GrazeSides;
 
-// What a ray meets that comes upon a triangle from behind.
+// Treatment of rays that meet a triangle from behind.
 typedef enum GrazeBackFaces GRAZE_AS_INT { GRAZE_BACK_FACES_HIT = 0, GRAZE_BACK_FACES_IGNORED = 1 } GrazeBackFaces;
 
-// What becomes of shapes that touch or overlap at the start of a cast and do not approach (graze/motion.hpp).
+// Treatment of shapes that touch or overlap at the start of a cast and do not approach (graze/motion.hpp).
 typedef enum GrazeSeparating GRAZE_AS_INT { GRAZE_SEPARATING_HIT = 0, GRAZE_SEPARATING_IGNORED = 1 } GrazeSeparating;
 
-// Places in two arrays of bodies.
+// Indices into two arrays of bodies.
 typedef struct GrazeIdPair {
   uint32_t a, b;
 } GrazeIdPair;
 
-// What a mesh is like (graze/shape/mesh_findings.hpp): counts, none of which is an error. Each edge is in one class.
+// Diagnosis of a mesh (graze/shape/mesh_findings.hpp): counts, none of which is an error. Each edge is in one class.
 typedef struct GrazeMeshFindings {
   size_t triangles;
-  size_t repeated_triangles;  // the corners of an earlier one in the same turn
+  size_t repeated_triangles;  // triangles with the corners of an earlier one in the same turn
   size_t without_area;
-  size_t slivers;          // lower than 1/1000 of their longest side
-  size_t repeated_points;  // where an earlier one lies
+  size_t slivers;          // triangles lower than 1/1000 of their longest side
+  size_t repeated_points;  // points at the position of an earlier one
   size_t flat_edges, convex_edges, concave_edges;
-  size_t open_edges;       // of one triangle only: rims, and seams that do not meet
-  size_t irregular_edges;  // of more than two triangles, or run through twice in one direction
-  size_t t_junctions;      // open edges on whose inside the corner of another triangle lies
+  size_t open_edges;       // edges of one triangle only: rims, and seams that do not meet
+  size_t irregular_edges;  // edges of more than two triangles, or run through twice in one direction
+  size_t t_junctions;      // open edges with the corner of another triangle in their interior
 } GrazeMeshFindings;
 
-// Which structure finds the boxes that overlap (graze/broad_phase.hpp says what each is good for); all find the same.
+// Broad phases (graze/broad_phase.hpp names the uses of each); all find the same pairs.
 typedef enum GrazeBroadPhaseKind GRAZE_AS_INT {
-  GRAZE_DYNAMIC_TREE = 0,  // the one to take unless something speaks for another
+  GRAZE_DYNAMIC_TREE = 0,  // the default choice
   GRAZE_SORT_AND_SWEEP = 1,
   GRAZE_SWEEP_AND_PRUNE = 2,
   GRAZE_HASHED_GRID = 3,
@@ -152,28 +152,28 @@ typedef enum GrazeBroadPhaseKind GRAZE_AS_INT {
 // One layer of a convex hull's hierarchy (graze/shape/support_trace.hpp): the hull of some of its vertices, or all of
 // it.
 typedef struct GrazeHullLayer {
-  const uint32_t *vertices;  // numbers of the hull's vertices
+  const uint32_t *vertices;  // indices of the hull's vertices
   size_t vertex_count;
-  const uint32_t *edges;  // two ends each, by numbers of the hull's vertices
+  const uint32_t *edges;  // two ends each, by indices of the hull's vertices
   size_t edge_count;
 } GrazeHullLayer;
 
 // One layer of a support query's descent.
 typedef struct GrazeSupportLayer {
-  size_t vertices;            // how many the layer has
+  size_t vertices;            // number of the layer's vertices
   const uint32_t *looked_at;  // vertices whose product with the direction was taken, in that order
-  const double *along;        // these products
+  const double *along;        // products of these vertices
   size_t looked_at_count;
-  uint32_t winner;  // the furthest of the layer
+  uint32_t winner;  // furthest vertex of the layer
 } GrazeSupportLayer;
 
 // The steps of one support query.
 typedef struct GrazeSupportTrace {
   const GrazeSupportLayer *layers;  // the coarsest first, the hull itself last
   size_t layer_count;
-  bool scanned;     // every vertex was looked at: hulls of up to 64 vertices, and flat ones
+  bool scanned;     // whether every vertex was visited: hulls of up to 64 vertices, and flat ones
   uint32_t vertex;  // the answer
-  size_t products;  // of all layers together
+  size_t products;  // number in all layers
 } GrazeSupportTrace;
 
 // A body of a world: the index in all of its arrays, and how often the index was given away before.
@@ -185,29 +185,30 @@ typedef struct GrazeJointId {
   uint32_t index, generation;
 } GrazeJointId;
 
-// What a body is and what it collides with (graze/filter.hpp).
+// The category of a body and the categories that it collides with (graze/filter.hpp).
 typedef struct GrazeFilter {
   uint64_t category;  // the bits that this body belongs to
   uint64_t mask;      // the bits that it collides with
-  int32_t group;      // of equal groups: positive always collide, negative never; 0 is no group
+  int32_t group;      // bodies of equal groups collide always if positive, never if negative; 0 is no group
 } GrazeFilter;
 
 // Category 1, all bits of the mask, no group.
 GRAZE_C_API GrazeFilter graze_filter_default(void);
 
-// Which bodies a question about a world is about.
+// The bodies that a query on a world considers.
 typedef struct GrazeQueryFilter {
-  GrazeFilter filter;  // of the one who asks: it finds what it may collide with
+  GrazeFilter filter;  // filter of the query: it finds bodies that it may collide with
   bool triggers;       // finds triggers too
-  bool (*accept)(void *user, GrazeBodyId body);  // a last word, or null
+  bool (*accept)(void *user, GrazeBodyId body);  // final decision on a body, or null
   void *user;
 } GrazeQueryFilter;
 
 GRAZE_C_API GrazeQueryFilter graze_query_filter_default(void);
 
-// Threads come from the caller (graze/executor.hpp): a job system behind two functions. It outlives what uses it.
+// Executors: threads that come from the caller (graze/executor.hpp), a job system behind two functions. Must outlive
+// its users.
 typedef struct GrazeExecutor {
-  size_t (*concurrency)(void *user);  // how many tasks may run at a time: at least 1
+  size_t (*concurrency)(void *user);  // number of tasks that run at a time: at least 1
   // Calls task(context, i) once for each i < count, in any order and from any threads, and returns when all have
   // returned.
   void (*run)(void *user, size_t count, void (*task)(void *context, size_t i), void *context);
@@ -222,28 +223,28 @@ typedef enum GrazeEventKind GRAZE_AS_INT {
 
 #define GRAZE_NO_PAIR UINT32_MAX
 
-// Two bodies and what became of their touching (graze/world/events.hpp).
+// Two bodies and the change of their contact (graze/world/events.hpp).
 typedef struct GrazeContactEvent {
   uint8_t kind;      // a GrazeEventKind
   bool trigger;      // one of them is a trigger
   GrazeBodyId a, b;  // a.index < b.index; at the end they may have been removed
-  uint32_t pair;     // the place among the pairs of the update; GRAZE_NO_PAIR at an end
+  uint32_t pair;     // index among the pairs of the update; GRAZE_NO_PAIR at an end
 } GrazeContactEvent;
 
-// Whether the i-th pair of a batch overlaps, and where its manifolds stand.
+// The overlap of the i-th pair of a batch, and the range of its manifolds.
 typedef struct GrazePairContacts {
   bool overlap;  // distance <= 0, whatever the margin
   uint32_t first_manifold, manifold_count;
 } GrazePairContacts;
 
-// Two bodies of a world within the margin of each other, and where their manifolds stand.
+// Two bodies of a world within the margin of each other, and the range of their manifolds.
 typedef struct GrazeWorldPair {
   uint32_t a, b;  // indices of bodies, a < b; normals point from a to b
   bool overlap;   // distance <= 0
   uint32_t first_manifold, manifold_count;
 } GrazeWorldPair;
 
-// How the numbers of two materials become one (graze/material.hpp).
+// Rules for combining a number of two materials (graze/material.hpp).
 typedef enum GrazeCombine GRAZE_AS_INT {
   GRAZE_COMBINE_UNSET = 0,
   GRAZE_COMBINE_AVERAGE = 1,
@@ -252,21 +253,21 @@ typedef enum GrazeCombine GRAZE_AS_INT {
   GRAZE_COMBINE_MULTIPLY = 4
 } GrazeCombine;
 
-// What a limit or a drive of a joint is about (graze/joint.hpp).
+// The quantity of a limit or a drive of a joint (graze/joint.hpp).
 typedef enum GrazeJointSpace GRAZE_AS_INT { GRAZE_JOINT_LINEAR = 0, GRAZE_JOINT_ANGULAR = 1 } GrazeJointSpace;
 
 // Whether a drive's stiffness and damping are forces, or accelerations that mass and inertia do not change.
 typedef enum GrazeDriveMode GRAZE_AS_INT { GRAZE_DRIVE_FORCE = 0, GRAZE_DRIVE_ACCELERATION = 1 } GrazeDriveMode;
 
-// The joints with a name; each is made of limits, which the caller may change.
+// Named joints; each consists of limits, which the caller may change.
 typedef enum GrazeJointKind GRAZE_AS_INT {
-  GRAZE_JOINT_FIXED = 0,  // the frames stay one
-  GRAZE_JOINT_BALL = 1,   // the origins of the frames stay one
-  GRAZE_JOINT_HINGE = 2,  // a turn about the x axis is free; in the plane, about z
-  GRAZE_JOINT_SLIDER = 3  // a way along the x axis is free
+  GRAZE_JOINT_FIXED = 0,  // keeps the frames coincident
+  GRAZE_JOINT_BALL = 1,   // keeps the origins of the frames coincident
+  GRAZE_JOINT_HINGE = 2,  // leaves the rotation about the x axis free; in the plane, about z
+  GRAZE_JOINT_SLIDER = 3  // leaves the translation along the x axis free
 } GrazeJointKind;
 
-// Who moves into whom at a contact (graze/contact_motion.hpp).
+// The bodies that move into the other one at a contact (graze/contact_motion.hpp).
 typedef enum GrazeAtFault GRAZE_AS_INT {
   GRAZE_AT_FAULT_NEITHER = 0,
   GRAZE_AT_FAULT_A = 1,
@@ -274,23 +275,23 @@ typedef enum GrazeAtFault GRAZE_AS_INT {
   GRAZE_AT_FAULT_BOTH = 3
 } GrazeAtFault;
 
-// What a query did, step by step (graze/trace.hpp). A trace is filled by the functions that end in `_explained`, after
+// Traces: the steps of a query (graze/trace.hpp). A trace is filled by the functions that end in `_explained`, after
 // the answer, whose bits it does not change. Its numbers are doubles for either scalar; vectors are in the world, and
 // in the plane their third number is 0.
 
-// A point of the Minkowski difference B - A and the support points it was made of.
+// A point of the Minkowski difference B - A and the support points that it is made of.
 typedef struct GrazeTraceSupport {
   double a[3], b[3];
 } GrazeTraceSupport;
 
-// A separating axis: the intervals that both shapes cover on it.
+// A separating axis: the intervals that the projections of both shapes cover on it.
 typedef struct GrazeTraceAxis {
   const char *name;
   double direction[3];  // unit, from A to B
   double a_lower, a_upper, b_lower, b_upper;
 } GrazeTraceAxis;
 
-// One iteration of GJK: where it looked, what it found, and the bounds of the distance that it then had.
+// One iteration of GJK: the simplex, the search direction, the support point found, and the bounds of the distance.
 typedef struct GrazeTraceGjk {
   const GrazeTraceSupport *simplex;  // at the beginning of the iteration
   size_t simplex_count;
@@ -303,11 +304,11 @@ typedef struct GrazeTraceGjk {
 
 // One expansion of EPA's polytope.
 typedef struct GrazeTraceEpa {
-  double normal[3];  // of the face that lay nearest to the origin
+  double normal[3];  // unit normal of the face nearest to the origin
   double face_depth, found_depth;
   GrazeTraceSupport found;
   size_t faces;                      // after the expansion
-  const GrazeTraceSupport *polygon;  // in the plane: before it, counter-clockwise
+  const GrazeTraceSupport *polygon;  // in the plane: the polytope before the expansion, counter-clockwise
   size_t polygon_count;
 } GrazeTraceEpa;
 
@@ -326,8 +327,8 @@ typedef struct GrazeTraceStep {
 
 // One cut of a face by the plane through a side of the other.
 typedef struct GrazeTraceCut {
-  double from[3], to[3];  // the side
-  const double *left;     // what is left, as corners of three numbers
+  double from[3], to[3];  // a side of the cutting face
+  const double *left;     // remainder of the face, as corners of three numbers
   size_t left_count;
 } GrazeTraceCut;
 
@@ -335,7 +336,7 @@ typedef struct GrazeTraceTriangle {
   size_t corner[3];
 } GrazeTraceTriangle;
 
-// All that a trace holds. Strings and arrays belong to the trace, until it is filled again or destroyed.
+// The contents of a trace. Strings and arrays belong to the trace, until it is filled again or destroyed.
 typedef struct GrazeTraceView {
   const char *method, *winner, *reason;  // empty where there is none
   const GrazeTraceAxis *axes;
@@ -346,8 +347,8 @@ typedef struct GrazeTraceView {
   size_t epa_count;
   const GrazeTraceSupport *difference;  // in the plane: the outline of the difference of the cores
   size_t difference_count;
-  double rounding;                    // of both cores together
-  const GrazeTraceSupport *polytope;  // EPA's vertices at the end, and its triangles
+  double rounding;                    // rounding radius of both cores together
+  const GrazeTraceSupport *polytope;  // vertices and triangles of EPA's final polytope
   size_t polytope_count;
   const GrazeTraceTriangle *triangles;
   size_t triangle_count;
@@ -355,8 +356,8 @@ typedef struct GrazeTraceView {
   size_t span_count;
   const GrazeTraceStep *steps;
   size_t step_count;
-  size_t nodes, pieces;  // of a composite, that a ray visited
-  // The faces that contacts stand on, as corners of three numbers, and how they are laid over each other.
+  size_t nodes, pieces;  // of a composite's tree, visited by a ray
+  // The faces from which contacts were clipped, as corners of three numbers, and the cuts of the clipping.
   const double *face_a, *face_b;
   size_t face_a_count, face_b_count;
   const GrazeTraceCut *cuts;
@@ -369,10 +370,10 @@ GRAZE_C_API GrazeStatus graze_trace_create(GrazeTrace **trace);
 GRAZE_C_API void graze_trace_destroy(GrazeTrace *trace);
 GRAZE_C_API GrazeStatus graze_trace_view(GrazeTrace *trace, GrazeTraceView *view);
 
-// Debug draw (graze/draw.hpp): what the library knows, drawn by a renderer of the caller's. Places are doubles for either
-// scalar, in the world; what lies in the plane has 0 as its third number.
+// Debug draw (graze/draw.hpp): shapes, contacts and traces on a renderer of the caller's. Positions are doubles for
+// either scalar, in the world; in the plane their third number is 0.
 
-// What a reader switches on and off together.
+// Layers that a reader switches on and off.
 typedef enum GrazeDrawLayer GRAZE_AS_INT {
   GRAZE_DRAW_SHAPES = 0,
   GRAZE_DRAW_BOUNDS = 1,
@@ -385,37 +386,37 @@ typedef enum GrazeDrawLayer GRAZE_AS_INT {
   GRAZE_DRAW_JOINTS = 8
 } GrazeDrawLayer;
 
-// What a colour says.
+// Meanings of colours.
 typedef enum GrazeDrawMeaning GRAZE_AS_INT {
-  GRAZE_MEANS_A = 0,  // the first of two, and what is its own
+  GRAZE_MEANS_A = 0,  // the first of two shapes, and what belongs to it
   GRAZE_MEANS_B = 1,
   GRAZE_MEANS_FIXED = 2,     // a body that never moves
-  GRAZE_MEANS_TOUCHED = 3,   // one that something touches
+  GRAZE_MEANS_TOUCHED = 3,   // a fixed body that is touched
   GRAZE_MEANS_MOVING = 4,    // a body that moves
-  GRAZE_MEANS_TOUCHING = 5,  // one that touches something
+  GRAZE_MEANS_TOUCHING = 5,  // a moving body with contacts
   GRAZE_MEANS_ASLEEP = 6,
   GRAZE_MEANS_TRIGGER = 7,
   GRAZE_MEANS_CONTACT = 8,
   GRAZE_MEANS_NORMAL = 9,
   GRAZE_MEANS_GAP = 10,
-  GRAZE_MEANS_RULED_OUT = 11,  // what was tried and decided nothing
+  GRAZE_MEANS_RULED_OUT = 11,  // a trial that decided nothing
   GRAZE_MEANS_BOUNDS = 12,
   GRAZE_MEANS_PATH = 13,
-  GRAZE_MEANS_GHOST = 14,  // a place along a way
+  GRAZE_MEANS_GHOST = 14,  // a position along a path
   GRAZE_MEANS_JOINT = 15
 } GrazeDrawMeaning;
 
 typedef struct GrazeDebugDraw {
-  uint32_t layers;   // 1 << GrazeDrawLayer for each that is wanted
-  double center[3];  // of what is looked at; what has no end is drawn about it,
+  uint32_t layers;   // 1 << GrazeDrawLayer for each visible one
+  double center[3];  // of the region of interest; unbounded things are drawn about it,
   double size;       // > 0, as far as this; arrows are a twelfth of it
-  // Any of these may be null: then that is not drawn, but for arrows, which are lines then.
+  // Functions, each of which may be null: its kind is then not drawn, except that arrows become lines.
   void (*point)(void *user, const double at[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning);
   void (*line)(void *user, const double from[3], const double to[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning);
-  // Counter-clockwise seen from outside.
+  // A triangle, counter-clockwise seen from outside.
   void (*triangle)(void *user, const double a[3], const double b[3], const double c[3], GrazeDrawLayer layer,
                    GrazeDrawMeaning meaning);
-  // `words` until the function returns.
+  // `words` at a point; the text is valid until the function returns.
   void (*text)(void *user, const double at[3], const char *words, GrazeDrawLayer layer, GrazeDrawMeaning meaning);
   // A unit vector at a place.
   void (*arrow)(void *user, const double from[3], const double direction[3], GrazeDrawLayer layer,
@@ -426,37 +427,37 @@ typedef struct GrazeDebugDraw {
 // All layers about the origin, size 1, and no functions.
 GRAZE_C_API GrazeDebugDraw graze_debug_draw_default(void);
 
-// The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255.
+// The colour of a meaning in the project's own pictures: red, green and blue, 0 to 255.
 GRAZE_C_API GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3]);
 
-// What a query did: separating axes through the centre, the Minkowski difference B - A about the origin.
+// Draws the steps of a query: separating axes through the centre, the Minkowski difference B - A about the origin.
 GRAZE_C_API GrazeStatus graze_trace_draw(const GrazeTrace *trace, const GrazeDebugDraw *on);
-// One step of it: an axis, an iteration of GJK, an expansion of EPA or a cut of a face, counted from 0 in this order.
+// Draws one step: an axis, an iteration of GJK, an expansion of EPA or a cut of a face, counted from 0 in this order.
 GRAZE_C_API GrazeStatus graze_trace_step_draw(const GrazeTrace *trace, size_t step, const GrazeDebugDraw *on);
 
 // The kind of a capture (graze/capture.hpp, docs/capture.md).
 typedef struct GrazeCaptureHead {
-  bool simulation;  // or a world
-  bool plane;       // or space
-  bool single;      // float, or double
+  bool simulation;  // false for a world
+  bool plane;       // false for space
+  bool single;      // true for float, false for double
 } GrazeCaptureHead;
 
-// Which of the functions below plays a capture. Any bytes may be given: what does not begin as a capture does is
-// GRAZE_INVALID_VALUE; what comes behind the head is not looked at.
+// The kind of a capture, which decides which of the functions below plays it. Any bytes may be given:
+// GRAZE_INVALID_VALUE unless they begin as a capture does; only the head is read.
 GRAZE_C_API GrazeStatus graze_capture_head(const void *bytes, size_t size, GrazeCaptureHead *head);
 
 // The report of a replay of a capture.
 typedef struct GrazeReplayReport {
-  bool simulation;  // or a world
-  bool plane;       // or space
+  bool simulation;  // false for a world
+  bool plane;       // false for space
   bool cut;         // the bytes end within a frame, which was left out
-  bool differs;     // something came out otherwise than in the run that was captured:
-  size_t frame, call;  // where, counted from 1, and
-  char what[128];      // what: "step: other poses"
-  size_t frames, calls;  // that came out the same
+  bool differs;     // whether some result differs from the captured run:
+  size_t frame, call;  // number of the frame and of the call, counted from 1, and
+  char what[128];      // the difference: "step: other poses"
+  size_t frames, calls;  // numbers of frames and calls with equal results
 } GrazeReplayReport;
 
-// Takes bytes of a capture, a frame at a call; whether it could.
+// Receiver of a capture's bytes, a frame at a call; returns whether it could take them.
 typedef bool (*GrazeWriteFunction)(void *user, const void *bytes, size_t size);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -468,12 +469,12 @@ typedef struct GrazeVec3d {
   double x, y, z;
 } GrazeVec3d;
 
-// x i + y j + z k + w; a rotation when of unit length. The rotation that turns nothing is {0, 0, 0, 1}.
+// x i + y j + z k + w; a rotation when of unit length. The identity is {0, 0, 0, 1}.
 typedef struct GrazeQuatd {
   double x, y, z, w;
 } GrazeQuatd;
 
-// Where a body stands and how it is turned: p -> translation + rotation p.
+// Pose of a body, a rigid transform from its frame to the world: p -> translation + rotation p.
 typedef struct GrazePosed {
   GrazeVec3d translation;
   GrazeQuatd rotation;
@@ -488,8 +489,8 @@ typedef struct GrazeAabbd {
   GrazeVec3d lower, upper;
 } GrazeAabbd;
 
-// At the origin and not turned; at a place and not turned; at a place and turned by `angle` about the unit vector
-// `axis`.
+// The identity pose; the pose at a place without rotation; the pose at a place with a rotation by `angle` about the
+// unit vector `axis`.
 GRAZE_C_API GrazePosed graze_pose_identity_d(void);
 GRAZE_C_API GrazePosed graze_pose_at_place_d(double x, double y, double z);
 GRAZE_C_API GrazePosed graze_pose_turned_d(GrazeVec3d translation, GrazeVec3d axis, double angle);
@@ -503,32 +504,32 @@ GRAZE_C_API GrazePosed graze_pose_turned_d(GrazeVec3d translation, GrazeVec3d ax
 typedef struct GrazeShaped GrazeShaped;
 
 GRAZE_C_API GrazeStatus graze_shape_sphere_d(double radius, GrazeVec3d center, GrazeShaped **shape);
-// `height` between the centres of the balls, which lie on the Y axis about the origin.
+// A capsule with `height` between the centres of the balls, which lie on the Y axis about the origin.
 GRAZE_C_API GrazeStatus graze_shape_capsule_d(double height, double radius_bottom, double radius_top,
                                               GrazeShaped **shape);
-// Full edge lengths.
+// A box by its full edge lengths.
 GRAZE_C_API GrazeStatus graze_shape_box_d(GrazeVec3d size, GrazeShaped **shape);
-// In the XZ plane, without thickness, its normal +Y.
+// A rectangle in the XZ plane, without thickness, its normal +Y.
 GRAZE_C_API GrazeStatus graze_shape_rectangle_d(double size_x, double size_z, GrazeShaped **shape);
-// Along the Y axis about the origin; a radius of 0 makes a cone, two that differ a truncated one.
+// A cylinder along the Y axis about the origin; a radius of 0 makes a cone, two that differ a truncated one.
 GRAZE_C_API GrazeStatus graze_shape_cylinder_d(double height, double radius_bottom, double radius_top,
                                                GrazeShaped **shape);
 GRAZE_C_API GrazeStatus graze_shape_ellipsoid_d(GrazeVec3d radii, GrazeShaped **shape);
 GRAZE_C_API GrazeStatus graze_shape_segment_d(GrazeVec3d a, GrazeVec3d b, GrazeShaped **shape);
-// Counter-clockwise seen from its front.
+// A triangle, counter-clockwise seen from its front.
 GRAZE_C_API GrazeStatus graze_shape_triangle_d(GrazeVec3d a, GrazeVec3d b, GrazeVec3d c, GrazeShaped **shape);
-// All points with y <= 0.
+// The half-space of all points with y <= 0.
 GRAZE_C_API GrazeStatus graze_shape_half_space_d(GrazeShaped **shape);
 // The convex hull of at least one point.
 GRAZE_C_API GrazeStatus graze_shape_convex_hull_d(const GrazeVec3d *points, size_t stride, size_t count,
                                                   GrazeShaped **shape);
-// Three indices of points for each triangle, counter-clockwise seen from outside; `triangle_stride` is from one triple
-// to the next. A `solid` mesh has to be closed, and its inside counts.
+// A mesh with three indices of points for each triangle, counter-clockwise seen from outside; `triangle_stride` is from
+// one triple to the next. A `solid` mesh has to be closed, and its inside counts.
 GRAZE_C_API GrazeStatus graze_shape_mesh_d(const GrazeVec3d *points, size_t point_stride, size_t point_count,
                                            const uint32_t *triangles, size_t triangle_stride, size_t triangle_count,
                                            GrazeSides sides, bool solid, GrazeShaped **shape);
-// heights[r * columns + c] over x and z about the origin (graze/shape/height_field.hpp); one that is not a number is a
-// hole, and so is one for which `holes` (as many bytes one behind the other, or null) is not 0.
+// A height field: heights[r * columns + c] over x and z about the origin (graze/shape/height_field.hpp); NaN makes a
+// hole, and so does a flag in `holes` (as many contiguous bytes, or null) that is not 0.
 GRAZE_C_API GrazeStatus graze_shape_height_field_d(const double *heights, size_t stride, size_t columns, size_t rows,
                                                    const uint8_t *holes, double spacing_x, double spacing_z,
                                                    GrazeSides sides, GrazeShaped **shape);
@@ -538,34 +539,36 @@ typedef struct GrazeChildd {
   GrazePosed pose;
 } GrazeChildd;
 
-// Several shapes that move as one. The compound keeps shares of its children.
+// A compound: several shapes that move as one. It keeps shares of its children.
 GRAZE_C_API GrazeStatus graze_shape_compound_d(const GrazeChildd *children, size_t stride, size_t count,
                                                GrazeShaped **shape);
 
 // A convex shape of the caller's own. `support` returns a point of the shape that lies furthest along `direction`,
-// which is not zero and need not be unit; the same one whenever asked, from any thread. `release` (or null) is called
-// with `user` once, when the last share of the shape is gone, and not where this function fails.
+// which is not zero and need not be unit; the same one for equal directions, from any thread. `release` (or null) is
+// called with `user` once, when the last share of the shape is gone, and not where this function fails.
 GRAZE_C_API GrazeStatus graze_shape_user_d(GrazeVec3d (*support)(const void *user, GrazeVec3d direction),
                                            void (*release)(void *user), void *user, GrazeShaped **shape);
-// The shape with a ball of radius `rounding` added (its Minkowski sum), besides what rounding it has; only of convex
-// shapes.
+// The shape with a ball of radius `rounding` added (its Minkowski sum), in addition to its present rounding; for convex
+// shapes only.
 GRAZE_C_API GrazeStatus graze_shape_rounded_d(const GrazeShaped *shape, double rounding, GrazeShaped **rounded);
-// What a bounded convex shape, standing at `pose`, sweeps while it moves by `motion` without turning (graze/swept.hpp).
+// The volume that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion` without turning
+// (graze/swept.hpp).
 GRAZE_C_API GrazeStatus graze_shape_swept_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeVec3d motion,
                                             GrazeShaped **swept);
 
-// One more share, and one less; null is left alone.
+// Adds a share of a shape, and gives one back; null is ignored.
 GRAZE_C_API void graze_shape_retain_d(const GrazeShaped *shape);
 GRAZE_C_API void graze_shape_release_d(const GrazeShaped *shape);
 
 GRAZE_C_API GrazeStatus graze_shape_kind_d(const GrazeShaped *shape, GrazeShapeKind *kind);
 GRAZE_C_API GrazeStatus graze_shape_rounding_d(const GrazeShaped *shape, double *rounding);
-// What bounds the shape under a pose; a half-space's reach to infinity.
+// The bounds of the shape under a pose; a half-space's reach to infinity.
 GRAZE_C_API GrazeStatus graze_shape_bounds_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeAabbd *bounds);
 // The point of a bounded convex shape furthest along `direction`, in the shape's frame.
 GRAZE_C_API GrazeStatus graze_shape_support_d(const GrazeShaped *shape, GrazeVec3d direction, GrazeVec3d *point);
 
-// Properties of a body of density one; the inertia is about `center`, in the shape's frame. Volume 0 of what has none.
+// Properties of a body of density one; the inertia is about `center`, in the shape's frame. Volume 0 for shapes
+// without.
 typedef struct GrazeMassPropertiesd {
   double volume;
   GrazeVec3d center;
@@ -573,25 +576,25 @@ typedef struct GrazeMassPropertiesd {
 } GrazeMassPropertiesd;
 
 GRAZE_C_API GrazeStatus graze_shape_mass_properties_d(const GrazeShaped *shape, GrazeMassPropertiesd *properties);
-// What is found in a mesh; another shape is refused.
+// The findings for a mesh; other shapes are refused.
 GRAZE_C_API GrazeStatus graze_shape_findings_d(const GrazeShaped *mesh, GrazeMeshFindings *findings);
 
-// Room for answers of no fixed number, which grows where it must and is used again by the next question. What a
-// function says that it gave belongs to the buffer and is valid until that is used again or destroyed.
+// Storage for answers of variable size, which grows as needed and is reused by the next query. Results in a buffer are
+// valid until that is used again or destroyed.
 typedef struct GrazeBufferd GrazeBufferd;
 
 GRAZE_C_API GrazeStatus graze_buffer_create_d(GrazeBufferd **buffer);
 GRAZE_C_API void graze_buffer_destroy_d(GrazeBufferd *buffer);
 
-// Convex hulls alone (graze/shape/support_trace.hpp). The vertices belong to the shape; the layers of its hierarchy,
-// the coarsest first, and what a support query along `direction` looked at, to the buffer.
+// Convex hulls only (graze/shape/support_trace.hpp). The vertices belong to the shape; the layers of its hierarchy, the
+// coarsest first, and the steps of a support query along `direction`, to the buffer.
 GRAZE_C_API GrazeStatus graze_hull_vertices_d(const GrazeShaped *shape, const GrazeVec3d **vertices, size_t *count);
 GRAZE_C_API GrazeStatus graze_hull_layers_d(const GrazeShaped *shape, GrazeBufferd *buffer,
                                             const GrazeHullLayer **layers, size_t *count);
 GRAZE_C_API GrazeStatus graze_hull_support_d(const GrazeShaped *shape, GrazeVec3d direction, GrazeBufferd *buffer,
                                              GrazeSupportTrace *trace);
 
-// Answers -------------------------------------------------------------------------------------------------------------
+// Results -------------------------------------------------------------------------------------------------------------
 
 typedef struct GrazeDistanced {
   double distance;
@@ -604,12 +607,12 @@ typedef struct GrazeDistanced {
 typedef struct GrazeClosestd {
   double distance;    // negative inside a solid
   GrazeVec3d point;   // on the surface
-  GrazeVec3d normal;  // unit, outward: question - point = distance * normal
+  GrazeVec3d normal;  // unit, outward: the queried point - point = distance * normal
   uint8_t certainty;
   double error;
 } GrazeClosestd;
 
-// Two convex pieces and how far apart they are: the triangle of a mesh or the child of the outermost compound, else 0.
+// Two convex pieces and their distance: the triangle of a mesh or the child of the outermost compound, else 0.
 typedef struct GrazePieceDistanced {
   uint32_t piece_a, piece_b;
   GrazeDistanced distance;
@@ -618,8 +621,8 @@ typedef struct GrazePieceDistanced {
 typedef struct GrazeContactPointd {
   GrazeVec3d a, b;   // on the surface of A, and of B
   double distance;   // negative is penetration
-  uint32_t feature;  // names the features that touch: the same while they do
-  double weight;     // the point that a solver wants is a + (b - a) * weight
+  uint32_t feature;  // identifies the features that touch: the same while they do
+  double weight;     // the contact position for a solver is a + (b - a) * weight
 } GrazeContactPointd;
 
 typedef struct GrazeManifoldd {
@@ -631,8 +634,8 @@ typedef struct GrazeManifoldd {
 // Contacts of one pair: manifolds and their points, which belong to the buffer.
 typedef struct GrazeContactsd {
   bool overlap;       // distance <= 0, whatever the margin
-  uint8_t certainty;  // GRAZE_BOUNDED where that of any manifold is
-  double error;       // the largest
+  uint8_t certainty;  // GRAZE_BOUNDED where any manifold is
+  double error;       // largest error of the manifolds
   const GrazeManifoldd *manifolds;
   size_t manifold_count;
   const GrazeContactPointd *points;
@@ -654,7 +657,7 @@ typedef struct GrazeRayd {
 } GrazeRayd;
 
 typedef struct GrazeRayHitd {
-  double t;           // along the ray, in units of length
+  double t;           // distance along the ray, in units of length
   GrazeVec3d point;   // on the surface; the ray's origin when that lies inside a solid
   GrazeVec3d normal;  // unit, against the ray
   uint32_t piece;
@@ -669,27 +672,27 @@ typedef struct GrazeCastHitd {
   double t;
   GrazeVec3d point;   // in the world at time t
   GrazeVec3d normal;  // unit, from A to B, at time t
-  double depth;       // of shapes that overlap at the start
+  double depth;       // depth at the start, of shapes that overlap there
   uint8_t certainty;
   uint32_t piece_a, piece_b;
 } GrazeCastHitd;
 
-// Questions about two shapes (graze/query.hpp, graze/cast.hpp) --------------------------------------------------------
+// Queries on two shapes (graze/query.hpp, graze/cast.hpp) -------------------------------------------------------------
 
 GRAZE_C_API GrazeStatus graze_overlap_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                         const GrazePosed *pose_b, bool *overlap);
-// Cheaper and conservative: false only where the shapes do not touch.
+// A preliminary test, cheaper and conservative: false only where the shapes do not touch.
 GRAZE_C_API GrazeStatus graze_may_overlap_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                             const GrazePosed *pose_b, bool *may_overlap);
 GRAZE_C_API GrazeStatus graze_distance_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                          const GrazePosed *pose_b, GrazeDistanced *distance);
-// The distance of shapes no further apart than `limit` >= 0: `found` says whether they are; else `distance` stays.
+// The distance of shapes no further apart than `limit` >= 0: `found` is true if they are; else `distance` is unchanged.
 GRAZE_C_API GrazeStatus graze_distance_up_to_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                                const GrazePosed *pose_b, double limit, bool *found,
                                                GrazeDistanced *distance);
 GRAZE_C_API GrazeStatus graze_within_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                        const GrazePosed *pose_b, double limit, bool *within);
-// Every pair of convex pieces no further apart than `margin` >= 0.
+// All pairs of convex pieces no further apart than `margin` >= 0.
 GRAZE_C_API GrazeStatus graze_near_pieces_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                             const GrazePosed *pose_b, double margin, GrazeBufferd *buffer,
                                             const GrazePieceDistanced **pieces, size_t *count);
@@ -697,46 +700,47 @@ GRAZE_C_API GrazeStatus graze_near_pieces_d(const GrazeShaped *a, const GrazePos
 GRAZE_C_API GrazeStatus graze_contacts_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                          const GrazePosed *pose_b, double margin, GrazeBufferd *buffer,
                                          GrazeContactsd *contacts);
-// The same, of which at most `most` >= 1 points are kept: those that span most (graze/world/reduce.hpp).
+// The contacts, reduced to at most `most` >= 1 points: those of largest area (graze/world/reduce.hpp).
 GRAZE_C_API GrazeStatus graze_contacts_reduced_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                                  const GrazePosed *pose_b, double margin, size_t most,
                                                  GrazeBufferd *buffer, GrazeContactsd *contacts);
 // A margin with which a body at rest keeps its points from frame to frame.
 GRAZE_C_API GrazeStatus graze_contact_margin_d(const GrazeShaped *a, const GrazeShaped *b, double *margin);
-// The corners of a feature in the shape's frame (graze/feature_corners.hpp): one of a vertex, two of an edge, those of
-// a face in order; none of what is round. `feature` is the upper half of a contact point's for A, the lower half for B,
-// and `piece` that of the manifold. The corners live in the buffer.
+// The corners of a feature in the shape's frame (graze/feature_corners.hpp): one for a vertex, two for an edge, those
+// of a face in order; none for round features. `feature` is the upper half of a contact point's for A, the lower half
+// for B, and `piece` is the manifold's. The corners belong to the buffer.
 GRAZE_C_API GrazeStatus graze_feature_corners_d(const GrazeShaped *shape, uint32_t piece, uint16_t feature,
                                                 GrazeBufferd *buffer, const GrazeVec3d **corners, size_t *count);
 // The point of the shape's surface nearest to a point of the world.
 GRAZE_C_API GrazeStatus graze_closest_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeVec3d point,
                                         GrazeClosestd *closest);
 
-// The first hit with 0 <= t <= `length` (INFINITY for no end): `found` says whether there is one; else `hit` stays.
+// The first hit with 0 <= t <= `length` (INFINITY for no end): `found` is true if there is one; else `hit` is
+// unchanged.
 GRAZE_C_API GrazeStatus graze_raycast_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *ray,
                                         double length, GrazeBackFaces back, bool *found, GrazeRayHitd *hit);
 GRAZE_C_API GrazeStatus graze_raycast_any_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *ray,
                                             double length, GrazeBackFaces back, bool *found);
-// Where the ray enters each piece, in the order of the ray.
+// All entries of the ray into pieces, in the order of the ray.
 GRAZE_C_API GrazeStatus graze_raycast_all_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *ray,
                                             double length, GrazeBackFaces back, GrazeBufferd *buffer,
                                             const GrazeRayHitd **hits, size_t *count);
 
-// A body and how it moves: at constant speed along a line, turning about its origin at constant rate.
+// A moving body: constant linear velocity, and rotation about its origin at a constant rate.
 typedef struct GrazeMovingd {
   const GrazeShaped *shape;
   GrazePosed pose;
   GrazeVelocityd velocity;
 } GrazeMovingd;
 
-// The first contact at a time in [0, duration]: `found` says whether there is one; else `hit` stays.
+// The first contact at a time in [0, duration]: `found` is true if there is one; else `hit` is unchanged.
 GRAZE_C_API GrazeStatus graze_cast_d(const GrazeMovingd *a, const GrazeMovingd *b, double duration,
                                      GrazeSeparating separating, bool *found, GrazeCastHitd *hit);
-// The first contact of every pair of pieces, in the order of time.
+// The first contacts of all pairs of pieces, in the order of time.
 GRAZE_C_API GrazeStatus graze_cast_all_d(const GrazeMovingd *a, const GrazeMovingd *b, double duration,
                                          GrazeSeparating separating, GrazeBufferd *buffer, const GrazeCastHitd **hits,
                                          size_t *count);
-// The same questions, and what their answers came from. Of a trace that is null nothing is told.
+// The queries above with their traces; a null trace is not filled.
 GRAZE_C_API GrazeStatus graze_overlap_explained_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
                                                   const GrazePosed *pose_b, bool *overlap, GrazeTrace *trace);
 GRAZE_C_API GrazeStatus graze_distance_explained_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
@@ -754,19 +758,19 @@ GRAZE_C_API GrazeStatus graze_cast_explained_d(const GrazeMovingd *a, const Graz
                                                GrazeSeparating separating, bool *found, GrazeCastHitd *hit,
                                                GrazeTrace *trace);
 
-// Where a body stands at time t.
+// The pose of a body at time t.
 GRAZE_C_API GrazeStatus graze_pose_at_d(const GrazePosed *pose, const GrazeVelocityd *velocity, double t,
                                         GrazePosed *result);
 
-// What a blow does (graze/impulse.hpp) --------------------------------------------------------------------------------
+// Collision response (graze/impulse.hpp) ------------------------------------------------------------------------------
 
-// The velocity of a rigid body: of its centre of mass, and its turning about it.
+// The motion of a rigid body: the velocity of its centre of mass, and its rotation about that.
 typedef struct GrazeMotiond {
   GrazeVec3d linear, angular;
-  GrazeVec3d center;  // of mass
+  GrazeVec3d center;  // centre of mass
 } GrazeMotiond;
 
-// The inverse of a mass, and of its inertia about the centre of mass in the world's axes; zeros of what does not move.
+// The inverse of a mass, and of its inertia about the centre of mass in the world's axes; zeros for an immovable body.
 typedef struct GrazeInverseMassd {
   double mass;
   GrazeMat3d inertia;
@@ -783,26 +787,26 @@ typedef struct GrazeStruckContactd {
   double restitution, friction;  // >= 0
 } GrazeStruckContactd;
 
-// What the blow does, and what leads to it, in the order in which it is computed.
+// The response of two bodies, and the quantities that lead to it in the order in which they are computed.
 typedef struct GrazeResponsed {
-  GrazeVec3d approach;             // the velocity of B's point seen from A's, before the blow
+  GrazeVec3d approach;             // velocity of B's point relative to A's, before the impact
   double approach_along_normal;    // < 0 while the bodies approach
-  GrazeVec3d approach_tangential;  // the rest of it
-  GrazeAtFault at_fault;           // who moves into whom
-  double effective_mass;           // what resists along the normal
+  GrazeVec3d approach_tangential;  // tangential part
+  GrazeAtFault at_fault;           // bodies that move into the other
+  double effective_mass;           // inertia along the normal
   double normal_impulse;
   GrazeVec3d sliding;           // the tangential velocity that the normal impulse leaves
-  GrazeVec3d stopping_impulse;  // would end it
+  GrazeVec3d stopping_impulse;  // would end the sliding
   double friction_limit;
   GrazeVec3d friction_impulse;  // the stopping impulse, no longer than the limit
   GrazeVec3d impulse;           // on B; that on A is its opposite
-  GrazeMotiond a, b;            // after it
+  GrazeMotiond a, b;            // motions after the impact
 } GrazeResponsed;
 
-// `mass` > 0, or INFINITY for what does not move; `inertia` is the diagonal in the frame `rotation`.
+// The inverse mass. `mass` > 0, or INFINITY for an immovable body; `inertia` is the diagonal in the frame `rotation`.
 GRAZE_C_API GrazeStatus graze_inverse_mass_d(double mass, GrazeVec3d inertia, GrazeQuatd rotation,
                                              GrazeInverseMassd *inverse);
-// With the inertia that the shape has when `mass` is spread evenly in it, about its centre of mass.
+// The inverse mass of a shape with `mass` spread evenly, about its centre of mass.
 GRAZE_C_API GrazeStatus graze_inverse_mass_of_shape_d(const GrazeShaped *shape, double mass, GrazeQuatd rotation,
                                                       GrazeInverseMassd *inverse);
 GRAZE_C_API GrazeStatus graze_response_d(const GrazeStruckContactd *contact, const GrazeStruckBodyd *a,
@@ -811,17 +815,17 @@ GRAZE_C_API GrazeStatus graze_response_d(const GrazeStruckContactd *contact, con
 GRAZE_C_API GrazeStatus graze_apply_impulse_d(const GrazeStruckBodyd *body, GrazeVec3d impulse, GrazeVec3d point,
                                               GrazeMotiond *motion);
 
-// Blows that are passed on (graze/blows.hpp): what bodies do that touch each other while one of them is struck.
+// Propagation of impacts (graze/blows.hpp): the motions of bodies in mutual contact after one of them is struck.
 
 // The points of two bodies that share a normal, struck together.
 typedef struct GrazeBlowd {
-  uint32_t a, b;       // places among the bodies
+  uint32_t a, b;       // indices of the bodies
   GrazeVec3d normal;   // unit, from a to b
-  double restitution;  // how much of the approach comes back, 0 to 1
+  double restitution;  // fraction of the approach speed that comes back, 0 to 1
   uint32_t first_point, point_count;
 } GrazeBlowd;
 
-// Bodies that touch. Their motions are changed, and what each point pushed is added to its impulse.
+// Bodies that touch. Their motions are changed, and the impulse of each point is added to its entry of `impulses`.
 typedef struct GrazeTouchingd {
   GrazeStruckBodyd *bodies;
   size_t body_stride, body_count;
@@ -834,8 +838,8 @@ typedef struct GrazeTouchingd {
 } GrazeTouchingd;
 
 typedef struct GrazePassedOnd {
-  size_t struck;    // how many blows were struck
-  double approach;  // the fastest approach that is left
+  size_t struck;    // number of blows that were struck
+  double approach;  // the fastest approach left
 } GrazePassedOnd;
 
 // Strikes the blow that approaches fastest until none does by more than `resting_speed` >= 0, or `most` were struck.
@@ -845,97 +849,97 @@ GRAZE_C_API GrazeStatus graze_pass_on_d(const GrazeTouchingd *touching, double r
 // Free motion (graze/free_motion.hpp): a body that nothing touches, about its centre of mass.
 typedef struct GrazeFreeBodyd {
   GrazeVec3d center;
-  GrazeQuatd rotation;  // of the principal axes
+  GrazeQuatd rotation;  // orientation of the principal axes
   GrazeVec3d linear;
   GrazeVec3d angular_momentum;  // in the world
   GrazeVec3d inverse_inertia;   // about the principal axes; zero where the body does not turn
 } GrazeFreeBodyd;
 
 GRAZE_C_API GrazeStatus graze_free_angular_velocity_d(const GrazeFreeBodyd *body, GrazeVec3d *angular);
-// Sets the angular momentum; turning about an axis about which the body does not turn is left out.
+// Sets the angular momentum; rotation about an axis of zero inverse inertia is left out.
 GRAZE_C_API GrazeStatus graze_free_set_angular_velocity_d(GrazeFreeBodyd *body, GrazeVec3d angular);
 // Moves the body by `duration`, of either sign, under a constant acceleration.
 GRAZE_C_API GrazeStatus graze_free_advance_d(GrazeFreeBodyd *body, GrazeVec3d acceleration, double duration);
 
-// Questions about many pairs (graze/batch.hpp) ------------------------------------------------------------------------
+// Queries on many pairs (graze/batch.hpp) -----------------------------------------------------------------------------
 //
 // The bits are those of each pair alone.
 
-// Shapes and where they stand. There are as many shapes as poses, or one shape for all poses, or one pose for all
-// shapes. Every pointer goes through an array of its own stride.
+// Shapes and their poses. There are as many shapes as poses, or one shape for all poses, or one pose for all shapes.
+// Every pointer goes through an array of its own stride.
 typedef struct GrazeBodiesd {
   const GrazeShaped *const *shapes;
   size_t shape_stride, shape_count;
   const GrazeVec3d *translations;
   size_t translation_stride;
-  const GrazeQuatd *rotations;  // or null: nothing is turned
+  const GrazeQuatd *rotations;  // or null: no rotations
   size_t rotation_stride;
   size_t pose_count;
 } GrazeBodiesd;
 
-// Bodies of shapes one behind the other, and of poses one behind the other.
+// Bodies of contiguous shapes and contiguous poses.
 GRAZE_C_API GrazeBodiesd graze_bodies_d(const GrazeShaped *const *shapes, size_t shape_count, const GrazePosed *poses,
                                         size_t pose_count);
 
-// Which pairs: `places` in a and in b. With a null pointer, and a count of 0, the first of A with the first of B and so
-// on; where one of them has a single body, that with all of the other.
+// Two sides of bodies and their pairs: `places` holds indices into a and b. With a null pointer, and a count of 0, the
+// i-th of A with the i-th of B; a side with a single body pairs it with all of the other.
 typedef struct GrazeBatchd {
   GrazeBodiesd a, b;
   const GrazeIdPair *places;
   size_t place_stride, place_count;
 } GrazeBatchd;
 
-// How many pairs a batch has: as many answers its questions write.
+// The number of pairs of a batch, and so of the answers to its queries.
 GRAZE_C_API GrazeStatus graze_batch_size_d(const GrazeBatchd *batch, size_t *size);
 
-// Of each pair: 1 or 0.
+// Overlap of each pair: 1 or 0; the distance of each pair.
 GRAZE_C_API GrazeStatus graze_overlap_batch_d(const GrazeBatchd *batch, uint8_t *touch, size_t stride);
 GRAZE_C_API GrazeStatus graze_distance_batch_d(const GrazeBatchd *batch, GrazeDistanced *distances, size_t stride);
 GRAZE_C_API GrazeStatus graze_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                GrazeBatchContactsd *contacts);
-// The pieces of all pairs, those of a pair one behind the other; `ends[i]`, one for each pair, is where those of the
-// i-th end.
+// The pieces of all pairs, those of a pair contiguous; `ends[i]`, one for each pair, is the end of the i-th pair's.
 GRAZE_C_API GrazeStatus graze_near_pieces_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                   const GrazePieceDistanced **pieces, const size_t **ends,
                                                   size_t *count);
-// One shape and many points.
+// The nearest points of one shape to many points.
 GRAZE_C_API GrazeStatus graze_closest_batch_d(const GrazeShaped *shape, const GrazePosed *pose,
                                               const GrazeVec3d *points, size_t point_stride, size_t count,
                                               GrazeClosestd *closest, size_t closest_stride);
-// One shape and many rays (graze/batch_raycast.hpp). A ray that hits nothing leaves its place among `hits` as it is and
-// writes 0 to `found`, else 1. `hits` may be null: then it is only asked whether each ray hits.
+// The hits of many rays at one shape (graze/batch_raycast.hpp). A ray that misses leaves its entry of `hits` unchanged
+// and writes 0 to `found`, else 1. `hits` may be null: then only `found` is computed.
 GRAZE_C_API GrazeStatus graze_raycast_batch_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *rays,
                                               size_t ray_stride, size_t count, double length, GrazeBackFaces back,
                                               uint8_t *found, size_t found_stride, GrazeRayHitd *hits,
                                               size_t hit_stride);
-// The first of A with the first of B, and so on.
+// Casts in order: the i-th of A with the i-th of B.
 GRAZE_C_API GrazeStatus graze_cast_batch_d(const GrazeMovingd *a, size_t a_stride, const GrazeMovingd *b,
                                            size_t b_stride, size_t count, double duration, GrazeSeparating separating,
                                            uint8_t *found, size_t found_stride, GrazeCastHitd *hits, size_t hit_stride);
 
 // Broad phases (graze/broad_phase.hpp) --------------------------------------------------------------------------------
 //
-// Which of many boxes overlap, found by one of several structures: boxes under ids of the caller's own, and no shapes.
-// Ids that lie close together cost least. Answers are sorted, live in the buffer, and are the same for every structure.
+// The pairs of overlapping boxes among many, found by one of several structures: boxes under ids of the caller's own,
+// and no shapes. Ids close together cost least. Answers are sorted, belong to the buffer, and are the same for every
+// structure.
 
 typedef struct GrazeBroadPhased GrazeBroadPhased;
 
-// A part of the structure: the bounds of a node, or a cell, and how deep it lies below the root (0).
+// A part of the structure: the bounds of a node, or a cell, and its depth below the root (0).
 typedef struct GrazeBroadPhasePartd {
   GrazeAabbd box;  // the bounds, or the cell
-  uint32_t depth;  // of a node below the root; of a cell of a grid 0
+  uint32_t depth;  // of a node below the root; 0 for a cell of a grid
 } GrazeBroadPhasePartd;
 
 GRAZE_C_API GrazeStatus graze_broad_phase_create_d(GrazeBroadPhaseKind kind, GrazeBroadPhased **broad);
 GRAZE_C_API void graze_broad_phase_destroy_d(GrazeBroadPhased *broad);
 
-// A box under an id that is not in use; sides may be infinite.
+// Adds a box under an id that is not in use; sides may be infinite.
 GRAZE_C_API GrazeStatus graze_broad_phase_insert_d(GrazeBroadPhased *broad, uint32_t id, const GrazeAabbd *box);
 GRAZE_C_API GrazeStatus graze_broad_phase_move_d(GrazeBroadPhased *broad, uint32_t id, const GrazeAabbd *box);
 GRAZE_C_API GrazeStatus graze_broad_phase_remove_d(GrazeBroadPhased *broad, uint32_t id);
 
-// All pairs that overlap, the smaller id first; then only those of which one was inserted or moved since either was
-// called.
+// All pairs that overlap, the smaller id first; then only those of which one was inserted or moved since the last call
+// of either.
 GRAZE_C_API GrazeStatus graze_broad_phase_pairs_d(GrazeBroadPhased *broad, GrazeBufferd *buffer,
                                                   const GrazeIdPair **pairs, size_t *count);
 GRAZE_C_API GrazeStatus graze_broad_phase_moved_pairs_d(GrazeBroadPhased *broad, GrazeBufferd *buffer,
@@ -946,10 +950,11 @@ GRAZE_C_API GrazeStatus graze_broad_phase_query_d(const GrazeBroadPhased *broad,
 GRAZE_C_API GrazeStatus graze_broad_phase_sweep_d(const GrazeBroadPhased *broad, const GrazeAabbd *box,
                                                   GrazeVec3d motion, GrazeBufferd *buffer, const uint32_t **ids,
                                                   size_t *count);
-// The structure as it is now, parents before their children, for drawing; sorted axes have no parts.
+// The parts of the structure as it is now, parents before their children, for drawing; sorted axes have no parts.
 GRAZE_C_API GrazeStatus graze_broad_phase_parts_d(const GrazeBroadPhased *broad, GrazeBufferd *buffer,
                                                   const GrazeBroadPhasePartd **parts, size_t *count);
-// For comparison of structures: how many boxes the last call for pairs compared with another, and bytes held.
+// Measures for comparing structures: number of boxes that the last call for pairs compared with another, and bytes
+// held.
 GRAZE_C_API GrazeStatus graze_broad_phase_counts_d(const GrazeBroadPhased *broad, uint64_t *tests, size_t *bytes);
 
 // Worlds (graze/world.hpp) --------------------------------------------------------------------------------------------
@@ -958,10 +963,10 @@ typedef struct GrazeWorldd GrazeWorldd;
 
 typedef struct GrazeWorldSettingsd {
   bool has_margin;
-  double margin;  // contacts are reported up to this far apart; without it up to graze_contact_margin of the two
-  bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b);  // a last word on a pair that its filters allow, or null
+  double margin;  // distance up to which contacts are reported; without it graze_contact_margin of the two
+  bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b);  // final decision on a pair that its filters allow, or null
   void *user;
-  size_t points_per_pair;  // a pair keeps at most so many points; 0: all
+  size_t points_per_pair;  // largest number of points of a pair; 0: all
 } GrazeWorldSettingsd;
 
 GRAZE_C_API GrazeWorldSettingsd graze_world_settings_default_d(void);
@@ -969,31 +974,31 @@ GRAZE_C_API GrazeWorldSettingsd graze_world_settings_default_d(void);
 typedef struct GrazeBodyd {
   const GrazeShaped *shape;
   GrazePosed pose;
-  GrazeVec3d linear, angular;  // velocity of the pose's origin, and the turning about it, in world axes
+  GrazeVec3d linear, angular;  // velocity of the pose's origin, and angular velocity about it, in world axes
   GrazeFilter filter;
   bool fixed;    // never moves by itself: two fixed bodies are no pair
-  bool trigger;  // tells that something is inside it; has no contact points
-  bool fast;     // is asked what it would pass through before the next update
+  bool trigger;  // only reports overlaps; has no contact points
+  bool fast;     // is tested for what it would pass through before the next update
 } GrazeBodyd;
 
-// A body that stands at the origin, may move, and collides with everything.
+// A body at the origin that may move and collides with everything.
 GRAZE_C_API GrazeBodyd graze_body_default_d(const GrazeShaped *shape);
 
-// `settings` and `executor` may be null: the defaults, and the calling thread. The executor is copied, what its `user`
-// points to is not.
+// Creates a world. `settings` and `executor` may be null: the defaults, and the calling thread. The executor is copied,
+// the target of its `user` is not.
 GRAZE_C_API GrazeStatus graze_world_create_d(const GrazeWorldSettingsd *settings, const GrazeExecutor *executor,
                                              GrazeWorldd **world);
-// The same, with every call that changes it handed to `write`, to be played by graze_replay_d (docs/capture.md). Refuses
+// Creates a world that hands every changing call to `write`, to be played by graze_replay_d (docs/capture.md). Refuses
 // what a file cannot hold: the caller's functions (`allow`, shapes of the caller's own), and changes of contacts.
 GRAZE_C_API GrazeStatus graze_world_create_captured_d(const GrazeWorldSettingsd *settings,
                                                       const GrazeExecutor *executor, GrazeWriteFunction write,
                                                       void *user, GrazeWorldd **world);
 GRAZE_C_API void graze_world_destroy_d(GrazeWorldd *world);
 
-// The world of a simulation may be asked, but not changed, by the functions that follow.
+// The world of a simulation may be queried, but not changed, by the functions that follow.
 GRAZE_C_API GrazeStatus graze_world_add_d(GrazeWorldd *world, const GrazeBodyd *body, GrazeBodyId *id);
 GRAZE_C_API GrazeStatus graze_world_remove_d(GrazeWorldd *world, GrazeBodyId id);
-// Puts a body elsewhere; with `velocity` (or null) it has another one from now on.
+// Puts a body elsewhere, with a new velocity unless `velocity` is null.
 GRAZE_C_API GrazeStatus graze_world_move_d(GrazeWorldd *world, GrazeBodyId id, const GrazePosed *pose,
                                            const GrazeVelocityd *velocity);
 // Puts many bodies elsewhere. Where one of the bodies or poses is refused none is moved.
@@ -1002,28 +1007,28 @@ GRAZE_C_API GrazeStatus graze_world_move_batch_d(GrazeWorldd *world, const Graze
 GRAZE_C_API GrazeStatus graze_world_set_shape_d(GrazeWorldd *world, GrazeBodyId id, const GrazeShaped *shape);
 GRAZE_C_API GrazeStatus graze_world_set_filter_d(GrazeWorldd *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_world_set_fast_d(GrazeWorldd *world, GrazeBodyId id, bool fast);
-// The name by which a replay calls a body, in UTF-8; a world that is not captured keeps none. It lives in a replay until
-// the replay's function returns; elsewhere, and where there is none, it is empty.
+// The name by which a replay calls a body, in UTF-8; a world that is not captured keeps none. It is valid in a replay
+// until the replay's function returns; elsewhere, and without a name, it is empty.
 GRAZE_C_API GrazeStatus graze_world_set_name_d(GrazeWorldd *world, GrazeBodyId id, const char *name);
 GRAZE_C_API GrazeStatus graze_world_name_d(const GrazeWorldd *world, GrazeBodyId id, const char **name);
-// Another last word than that of the settings; null allows all.
+// Replaces the final decision on pairs of the settings; null allows all.
 GRAZE_C_API GrazeStatus graze_world_set_allow_d(GrazeWorldd *world,
                                                 bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b), void *user);
 
-// How many bodies there are, and how many indices: those of bodies are smaller.
+// The number of bodies, and that of indices: those of bodies are smaller.
 GRAZE_C_API GrazeStatus graze_world_counts_d(const GrazeWorldd *world, size_t *bodies, size_t *indices);
 GRAZE_C_API GrazeStatus graze_world_contains_d(const GrazeWorldd *world, GrazeBodyId id, bool *contains);
-// The handle of the body that has the index now; `found` says whether there is one.
+// The handle of the body that has the index now; `found` is true if there is one.
 GRAZE_C_API GrazeStatus graze_world_body_at_d(const GrazeWorldd *world, uint32_t index, bool *found, GrazeBodyId *id);
-// What is known of a body. Its shape is one more share, for the caller to release.
+// The description of a body. Its shape is one more share, for the caller to release.
 GRAZE_C_API GrazeStatus graze_world_body_d(const GrazeWorldd *world, GrazeBodyId id, GrazeBodyd *body);
 // All poses by index, valid until a body is added or moved; at an index without a body any pose.
 GRAZE_C_API GrazeStatus graze_world_poses_d(const GrazeWorldd *world, const GrazePosed **poses, size_t *count);
 
-// Finds what touches now; and, given the time to the next update (or 0), what fast bodies would pass through until
-// then.
+// Finds the contacts of the present poses; and, given the time to the next update (or 0), the bodies that fast ones
+// would pass through until then.
 GRAZE_C_API GrazeStatus graze_world_update_d(GrazeWorldd *world, double duration);
-// Only the latter, by the velocities that bodies have now.
+// Recomputes the impacts only, by the velocities that bodies have now.
 GRAZE_C_API GrazeStatus graze_world_find_impacts_d(GrazeWorldd *world, double duration);
 
 typedef struct GrazeSolverPointd {
@@ -1031,10 +1036,10 @@ typedef struct GrazeSolverPointd {
   double distance;
   uint32_t feature;
   double weight;
-  GrazeVec3d impulse;  // the solver's own: carried on to the same point of the next update, zero at a new one
+  GrazeVec3d impulse;  // the solver's: carried over to the same point of the next update, zero at a new one
 } GrazeSolverPointd;
 
-// What the last update found, which belongs to the world until the next.
+// Contacts of the last update, which belong to the world until the next.
 typedef struct GrazeWorldContactsd {
   const GrazeWorldPair *pairs;  // sorted
   size_t pair_count;
@@ -1045,23 +1050,23 @@ typedef struct GrazeWorldContactsd {
 } GrazeWorldContactsd;
 
 GRAZE_C_API GrazeStatus graze_world_contacts_d(const GrazeWorldd *world, GrazeWorldContactsd *contacts);
-// The same points for a solver, which writes their impulses and nothing else.
+// The contact points for a solver, which writes their impulses and nothing else.
 GRAZE_C_API GrazeStatus graze_world_solver_points_d(GrazeWorldd *world, GrazeSolverPointd **points, size_t *count);
-// Leaves at most `most` >= 1 points of every pair.
+// Reduces every pair to at most `most` >= 1 points.
 GRAZE_C_API GrazeStatus graze_world_reduce_d(GrazeWorldd *world, size_t most);
 GRAZE_C_API GrazeStatus graze_world_events_d(const GrazeWorldd *world, const GrazeContactEvent **events, size_t *count);
 
-// Two bodies and when they first meet: a.index < b.index, the normal of the hit from a to b.
+// Two bodies and the time of their first contact: a.index < b.index, the normal of the hit from a to b.
 typedef struct GrazeImpactd {
   GrazeBodyId a, b;
   bool trigger;
   GrazeCastHitd hit;
 } GrazeImpactd;
 
-// What fast bodies would meet, in the order of time.
+// Impacts of fast bodies, in the order of time.
 GRAZE_C_API GrazeStatus graze_world_impacts_d(const GrazeWorldd *world, const GrazeImpactd **impacts, size_t *count);
 
-// A body and how far it is from the shape that was asked about, which is A.
+// A body and its distance from the query's shape, which is A.
 typedef struct GrazeBodyDistanced {
   GrazeBodyId body;
   GrazeDistanced distance;
@@ -1077,7 +1082,7 @@ typedef struct GrazeBodyCastHitd {
   GrazeCastHitd hit;
 } GrazeBodyCastHitd;
 
-// Questions about bodies where they were last put. `filter` may be null: that of graze_query_filter_default.
+// Queries on bodies where they were last put. `filter` may be null: that of graze_query_filter_default.
 GRAZE_C_API GrazeStatus graze_world_overlapping_d(const GrazeWorldd *world, const GrazeShaped *shape,
                                                   const GrazePosed *pose, const GrazeQueryFilter *filter,
                                                   GrazeBufferd *buffer, const GrazeBodyId **bodies, size_t *count);
@@ -1096,7 +1101,7 @@ GRAZE_C_API GrazeStatus graze_world_raycast_any_d(const GrazeWorldd *world, cons
 GRAZE_C_API GrazeStatus graze_world_raycast_all_d(const GrazeWorldd *world, const GrazeRayd *ray, double length,
                                                   const GrazeQueryFilter *filter, GrazeBackFaces back,
                                                   GrazeBufferd *buffer, const GrazeBodyRayHitd **hits, size_t *count);
-// What a shape meets that moves for `duration` while the bodies stand still.
+// The bodies that a shape meets while it moves for `duration` and the bodies stand still.
 GRAZE_C_API GrazeStatus graze_world_cast_d(const GrazeWorldd *world, const GrazeMovingd *moving, double duration,
                                            const GrazeQueryFilter *filter, GrazeSeparating separating, bool *found,
                                            GrazeBodyCastHitd *hit);
@@ -1104,12 +1109,12 @@ GRAZE_C_API GrazeStatus graze_world_cast_all_d(const GrazeWorldd *world, const G
                                                const GrazeQueryFilter *filter, GrazeSeparating separating,
                                                GrazeBufferd *buffer, const GrazeBodyCastHitd **hits, size_t *count);
 // Moves a shape by `motion` until it touches, then along the surface, and so on, by at most `casts` casts
-// (graze/slide.hpp): where it ends, what was left of the motion, and what was in the way.
+// (graze/slide.hpp): the pose at the end, the rest of the motion, and the obstacles.
 GRAZE_C_API GrazeStatus graze_world_slide_d(const GrazeWorldd *world, const GrazeShaped *shape, const GrazePosed *pose,
                                             GrazeVec3d motion, int casts, const GrazeQueryFilter *filter,
                                             GrazeBufferd *buffer, GrazePosed *end, GrazeVec3d *left,
                                             const GrazeBodyCastHitd **touched, size_t *count);
-// Bytes that are held, shapes' own data apart.
+// Bytes that are held, without the shapes' own data.
 GRAZE_C_API GrazeStatus graze_world_memory_d(const GrazeWorldd *world, size_t *bytes);
 
 // Simulation (graze/simulation.hpp) -----------------------------------------------------------------------------------
@@ -1118,26 +1123,26 @@ typedef struct GrazeSimulationd GrazeSimulationd;
 
 typedef struct GrazeSimulationSettingsd {
   GrazeVec3d gravity;
-  int32_t sub_steps;       // of a step, at least; a power of two
-  int32_t most_sub_steps;  // of an island that bears much; a power of two
+  int32_t sub_steps;       // least number of sub-steps of a step; a power of two
+  int32_t most_sub_steps;  // largest number of sub-steps, for an island under load; a power of two
   bool sleep;              // islands at rest cost nothing and do not move
-  bool continuous;         // what moves fast passes through nothing
-  double longest_step;     // a longer step is refused
+  bool continuous;         // fast bodies do not pass through others
+  double longest_step;     // longer steps are refused
 } GrazeSimulationSettingsd;
 
 GRAZE_C_API GrazeSimulationSettingsd graze_simulation_settings_default_d(void);
 
-// How a body is moved (graze/dynamics.hpp). What it has not follows from the shape and the density.
+// Dynamics of a body (graze/dynamics.hpp). Omitted values follow from the shape and the density.
 typedef struct GrazeDynamicsd {
   bool has_mass, has_center_of_mass, has_inertia;
-  double mass;  // > 0; INFINITY for a body that nothing pushes
+  double mass;  // > 0; INFINITY for a body that impulses do not change
   GrazeVec3d center_of_mass;
   GrazeVec3d inertia_diagonal;
   GrazeQuatd inertia_orientation;
   double density;
   double gravity_factor;
   double linear_damping, angular_damping;
-  bool kinematic;  // keeps the velocity that it is given: pushes and is not pushed
+  bool kinematic;  // keeps its given velocity: pushes other bodies and is not pushed
   bool may_sleep;
 } GrazeDynamicsd;
 
@@ -1148,21 +1153,21 @@ typedef struct GrazeMateriald {
   double restitution;       // 0 to 1
   double rolling_friction;  // a length
   uint8_t friction_combine, restitution_combine;  // a GrazeCombine
-  GrazeVec3d surface_velocity;  // of a conveyor, in the body's frame
+  GrazeVec3d surface_velocity;  // velocity of a conveyor's surface, in the body's frame
 } GrazeMateriald;
 
 GRAZE_C_API GrazeMateriald graze_material_default_d(void);
 
-// Bounds on the axes of frame A that are named: on one, or on two or three together.
+// Bounds on axes of frame A: on one, or on two or three together.
 typedef struct GrazeJointLimitd {
   uint8_t space;  // a GrazeJointSpace
   bool axes[3];
-  double min, max;   // min <= max, either may be infinite; equal for what is held
+  double min, max;   // min <= max, either may be infinite; equal to hold an axis
   double stiffness;  // 0: hard; else force per length or torque per radian beyond the bounds
-  double damping;    // of the soft limit
+  double damping;    // damping of the soft limit
 } GrazeJointLimitd;
 
-// stiffness (position_target - position) + damping (velocity_target - velocity) on one axis of frame A.
+// A motor on one axis of frame A: stiffness (position_target - position) + damping (velocity_target - velocity).
 typedef struct GrazeJointDrived {
   uint8_t space;  // a GrazeJointSpace
   uint8_t mode;   // a GrazeDriveMode
@@ -1179,14 +1184,14 @@ typedef struct GrazeJointd {
   size_t limit_count;
   const GrazeJointDrived *drives;
   size_t drive_count;
-  bool enable_collision;  // otherwise the two do not touch each other
+  bool enable_collision;  // whether the two bodies may touch each other
 } GrazeJointd;
 
-// A joint of that kind without drives. Its limits are constants of the library.
+// A joint of a named kind without drives. Its limits are constants of the library.
 GRAZE_C_API GrazeStatus graze_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePosed *frame_a,
                                               GrazeBodyId b, const GrazePosed *frame_b, GrazeJointd *joint);
 
-// What a step did (graze/simulation.hpp); times by the clock in milliseconds.
+// Statistics of a step (graze/simulation.hpp); times by the clock in milliseconds.
 typedef struct GrazeStepReportd {
   size_t awake, islands, contacts, colors;
   int32_t most_sub_steps;
@@ -1197,19 +1202,19 @@ typedef struct GrazeStepReportd {
   double collide_ms, prepare_ms, solve_ms, continuous_ms, whole_ms;
 } GrazeStepReportd;
 
-// Everything that a simulation goes back to.
+// A saved state of a simulation.
 typedef struct GrazeStated GrazeStated;
 
-// `settings` and `executor` may be null, as for a world.
+// Creates a simulation. `settings` and `executor` may be null, as for a world.
 GRAZE_C_API GrazeStatus graze_simulation_create_d(const GrazeSimulationSettingsd *settings,
                                                   const GrazeExecutor *executor, GrazeSimulationd **simulation);
-// The same, with every call that changes it handed to `write`, as for a world. At most 16 of its states at a time.
+// Creates a simulation that hands every changing call to `write`, as for a world. At most 16 of its states at a time.
 GRAZE_C_API GrazeStatus graze_simulation_create_captured_d(const GrazeSimulationSettingsd *settings,
                                                            const GrazeExecutor *executor, GrazeWriteFunction write,
                                                            void *user, GrazeSimulationd **simulation);
 GRAZE_C_API void graze_simulation_destroy_d(GrazeSimulationd *simulation);
 
-// `dynamics` and `material` may be null: the defaults.
+// Adds a body. `dynamics` and `material` may be null: the defaults.
 GRAZE_C_API GrazeStatus graze_simulation_add_d(GrazeSimulationd *simulation, const GrazeBodyd *body,
                                                const GrazeDynamicsd *dynamics, const GrazeMateriald *material,
                                                GrazeBodyId *id);
@@ -1218,14 +1223,14 @@ GRAZE_C_API GrazeStatus graze_simulation_add_joint_d(GrazeSimulationd *simulatio
                                                      GrazeJointId *id);
 GRAZE_C_API GrazeStatus graze_simulation_remove_joint_d(GrazeSimulationd *simulation, GrazeJointId id);
 
-// Moves everything by `dt` > 0.
+// Advances the simulation by `dt` > 0.
 GRAZE_C_API GrazeStatus graze_simulation_step_d(GrazeSimulationd *simulation, double dt);
 
 GRAZE_C_API GrazeStatus graze_simulation_apply_impulse_d(GrazeSimulationd *simulation, GrazeBodyId id,
                                                          GrazeVec3d impulse, GrazeVec3d point);
 GRAZE_C_API GrazeStatus graze_simulation_apply_angular_impulse_d(GrazeSimulationd *simulation, GrazeBodyId id,
                                                                  GrazeVec3d impulse);
-// Throughout the next step: a force on the centre of mass, and a torque.
+// Applies a force on the centre of mass, or a torque, throughout the next step.
 GRAZE_C_API GrazeStatus graze_simulation_apply_force_d(GrazeSimulationd *simulation, GrazeBodyId id, GrazeVec3d force);
 GRAZE_C_API GrazeStatus graze_simulation_apply_torque_d(GrazeSimulationd *simulation, GrazeBodyId id,
                                                         GrazeVec3d torque);
@@ -1240,7 +1245,7 @@ GRAZE_C_API GrazeStatus graze_simulation_set_material_d(GrazeSimulationd *simula
                                                         const GrazeMateriald *material);
 GRAZE_C_API GrazeStatus graze_simulation_set_gravity_d(GrazeSimulationd *simulation, GrazeVec3d gravity);
 GRAZE_C_API GrazeStatus graze_simulation_wake_d(GrazeSimulationd *simulation, GrazeBodyId id);
-// The name by which a replay calls a body, as of a world.
+// Names a body for a replay, as in a world.
 GRAZE_C_API GrazeStatus graze_simulation_set_name_d(GrazeSimulationd *simulation, GrazeBodyId id,
                                                     const char *name);
 
@@ -1248,35 +1253,35 @@ GRAZE_C_API GrazeStatus graze_simulation_pose_d(const GrazeSimulationd *simulati
 // All poses by index, valid until the simulation changes; at an index without a body any pose.
 GRAZE_C_API GrazeStatus graze_simulation_poses_d(const GrazeSimulationd *simulation, const GrazePosed **poses,
                                                  size_t *count);
-// The velocity of the centre of mass and the turning about it, and where that centre is in the world.
+// The velocity of the centre of mass and the rotation about it, and the position of that centre in the world.
 GRAZE_C_API GrazeStatus graze_simulation_motion_d(const GrazeSimulationd *simulation, GrazeBodyId id,
                                                   GrazeVelocityd *velocity, GrazeVec3d *center_of_mass);
 GRAZE_C_API GrazeStatus graze_simulation_angular_momentum_d(const GrazeSimulationd *simulation, GrazeBodyId id,
                                                             GrazeVec3d *momentum);
-// Infinite for what is fixed or kinematic.
+// The mass; infinite for fixed and kinematic bodies.
 GRAZE_C_API GrazeStatus graze_simulation_mass_d(const GrazeSimulationd *simulation, GrazeBodyId id, double *mass);
 GRAZE_C_API GrazeStatus graze_simulation_asleep_d(const GrazeSimulationd *simulation, GrazeBodyId id, bool *asleep);
 // The impulses of the last step, a number for each row of the joint, valid until the next step.
 GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_d(const GrazeSimulationd *simulation, GrazeJointId id,
                                                           const double **impulses, size_t *count);
 GRAZE_C_API GrazeStatus graze_simulation_report_d(const GrazeSimulationd *simulation, GrazeStepReportd *report);
-// The world of the simulation, which belongs to it: contacts, events and all questions.
+// The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_simulation_world_d(const GrazeSimulationd *simulation, const GrazeWorldd **world);
 
 GRAZE_C_API GrazeStatus graze_simulation_save_d(const GrazeSimulationd *simulation, GrazeStated **state);
-// Goes back to a state of this simulation, between which and now no bodies or joints came or went.
+// Goes back to a state of this simulation, since which no bodies or joints came or went.
 GRAZE_C_API GrazeStatus graze_simulation_restore_d(GrazeSimulationd *simulation, const GrazeStated *state);
 GRAZE_C_API void graze_state_destroy_d(GrazeStated *state);
 
 // The plane (graze/plane/) --------------------------------------------------------------------------------------------
 //
-// The same words in two dimensions.
+// Types and functions of two dimensions, with the meaning of those above.
 
 typedef struct GrazeVec2d {
   double x, y;
 } GrazeVec2d;
 
-// A rotation is the unit vector to which it turns the X axis; the one that turns nothing is {1, 0}.
+// A rotation: the unit vector to which it turns the X axis; the identity is {1, 0}.
 typedef struct GrazeRot2d {
   double cosine, sine;
 } GrazeRot2d;
@@ -1295,7 +1300,7 @@ GRAZE_C_API GrazePose2d graze_plane_pose_d(double x, double y, double angle);
 typedef struct GrazePlaneShaped GrazePlaneShaped;
 
 GRAZE_C_API GrazeStatus graze_plane_shape_circle_d(double radius, GrazePlaneShaped **shape);
-// `height` between the centres of the discs, which lie on the Y axis about the origin.
+// A capsule with `height` between the centres of the discs, which lie on the Y axis about the origin.
 GRAZE_C_API GrazeStatus graze_plane_shape_capsule_d(double height, double radius_bottom, double radius_top,
                                                     GrazePlaneShaped **shape);
 GRAZE_C_API GrazeStatus graze_plane_shape_box_d(GrazeVec2d size, GrazePlaneShaped **shape);
@@ -1304,12 +1309,12 @@ GRAZE_C_API GrazeStatus graze_plane_shape_segment_d(GrazeVec2d a, GrazeVec2d b, 
 GRAZE_C_API GrazeStatus graze_plane_shape_convex_d(const GrazeVec2d *points, size_t stride, size_t count,
                                                    GrazePlaneShaped **shape);
 GRAZE_C_API GrazeStatus graze_plane_shape_ellipse_d(GrazeVec2d radii, GrazePlaneShaped **shape);
-// All points with y <= 0.
+// The half-plane of all points with y <= 0.
 GRAZE_C_API GrazeStatus graze_plane_shape_half_plane_d(GrazePlaneShaped **shape);
 // A solid polygon, convex or not: at least three points around it, either way, without crossings.
 GRAZE_C_API GrazeStatus graze_plane_shape_polygon_d(const GrazeVec2d *points, size_t stride, size_t count,
                                                     GrazePlaneShaped **shape);
-// Segments joined end to end; a `closed` chain goes on from the last point to the first.
+// A chain: segments joined end to end; a `closed` one goes on from the last point to the first.
 GRAZE_C_API GrazeStatus graze_plane_shape_chain_d(const GrazeVec2d *points, size_t stride, size_t count, bool closed,
                                                   GrazeSides sides, GrazePlaneShaped **shape);
 
@@ -1320,7 +1325,7 @@ typedef struct GrazePlaneChildd {
 
 GRAZE_C_API GrazeStatus graze_plane_shape_compound_d(const GrazePlaneChildd *children, size_t stride, size_t count,
                                                      GrazePlaneShaped **shape);
-// As graze_shape_user_d.
+// A convex shape of the caller's own, with the functions of graze_shape_user_d.
 GRAZE_C_API GrazeStatus graze_plane_shape_user_d(GrazeVec2d (*support)(const void *user, GrazeVec2d direction),
                                                  void (*release)(void *user), void *user, GrazePlaneShaped **shape);
 GRAZE_C_API GrazeStatus graze_plane_shape_rounded_d(const GrazePlaneShaped *shape, double rounding,
@@ -1332,10 +1337,10 @@ GRAZE_C_API GrazeStatus graze_plane_shape_rounding_d(const GrazePlaneShaped *sha
 GRAZE_C_API GrazeStatus graze_plane_shape_bounds_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                    GrazeAabb2d *bounds);
 
-// Properties of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 of what has none.
+// Properties of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 for shapes without.
 typedef struct GrazePlaneMassPropertiesd {
   double area;
-  GrazeVec2d center;  // of area
+  GrazeVec2d center;  // centre of the area
   double inertia;
 } GrazePlaneMassPropertiesd;
 
@@ -1428,7 +1433,7 @@ GRAZE_C_API GrazeStatus graze_plane_contacts_d(const GrazePlaneShaped *a, const 
                                                GrazeBufferd *buffer, GrazePlaneContactsd *contacts);
 GRAZE_C_API GrazeStatus graze_plane_contact_margin_d(const GrazePlaneShaped *a, const GrazePlaneShaped *b,
                                                      double *margin);
-// The corners of a feature (graze/plane/feature_corners.hpp), as those of space: one of a vertex, two of an edge.
+// The corners of a feature (graze/plane/feature_corners.hpp), as in space: one for a vertex, two for an edge.
 GRAZE_C_API GrazeStatus graze_plane_feature_corners_d(const GrazePlaneShaped *shape, uint32_t piece, uint16_t feature,
                                                       GrazeBufferd *buffer, const GrazeVec2d **corners, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_closest_d(const GrazePlaneShaped *shape, const GrazePose2d *pose, GrazeVec2d point,
@@ -1446,7 +1451,7 @@ GRAZE_C_API GrazeStatus graze_plane_cast_d(const GrazePlaneMovingd *a, const Gra
 GRAZE_C_API GrazeStatus graze_plane_cast_all_d(const GrazePlaneMovingd *a, const GrazePlaneMovingd *b, double duration,
                                                GrazeSeparating separating, GrazeBufferd *buffer,
                                                const GrazePlaneCastHitd **hits, size_t *count);
-// Explained, as the questions in space.
+// The queries above with their traces, as in space.
 GRAZE_C_API GrazeStatus graze_plane_overlap_explained_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
                                                         const GrazePlaneShaped *b, const GrazePose2d *pose_b,
                                                         bool *overlap, GrazeTrace *trace);
@@ -1469,13 +1474,13 @@ GRAZE_C_API GrazeStatus graze_plane_cast_explained_d(const GrazePlaneMovingd *a,
 GRAZE_C_API GrazeStatus graze_plane_pose_at_d(const GrazePose2d *pose, const GrazePlaneVelocityd *velocity, double t,
                                               GrazePose2d *result);
 
-// Shapes and where they stand, as GrazeBodiesd.
+// Shapes and their poses, as GrazeBodiesd.
 typedef struct GrazePlaneBodiesd {
   const GrazePlaneShaped *const *shapes;
   size_t shape_stride, shape_count;
   const GrazeVec2d *translations;
   size_t translation_stride;
-  const GrazeRot2d *rotations;  // or null: nothing is turned
+  const GrazeRot2d *rotations;  // or null: no rotations
   size_t rotation_stride;
   size_t pose_count;
 } GrazePlaneBodiesd;
@@ -1495,7 +1500,7 @@ GRAZE_C_API GrazeStatus graze_plane_distance_batch_d(const GrazePlaneBatchd *bat
                                                      size_t stride);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_d(const GrazePlaneBatchd *batch, double margin,
                                                      GrazeBufferd *buffer, GrazePlaneBatchContactsd *contacts);
-// One shape and many points or rays, and many pairs that move, as those of space.
+// Batches of one shape and many points or rays, and of many moving pairs, as in space.
 GRAZE_C_API GrazeStatus graze_plane_closest_batch_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                     const GrazeVec2d *points, size_t point_stride, size_t count,
                                                     GrazePlaneClosestd *closest, size_t closest_stride);
@@ -1508,16 +1513,16 @@ GRAZE_C_API GrazeStatus graze_plane_cast_batch_d(const GrazePlaneMovingd *a, siz
                                                  double duration, GrazeSeparating separating, uint8_t *found,
                                                  size_t found_stride, GrazePlaneCastHitd *hits, size_t hit_stride);
 
-// Blows that are passed on and free motion in the plane (graze/plane/blows.hpp, graze/plane/free_motion.hpp), as those
-// of space.
+// Propagation of impacts and free motion in the plane (graze/plane/blows.hpp, graze/plane/free_motion.hpp), as in
+// space.
 typedef struct GrazePlaneMotiond {
   GrazeVec2d linear;
   double angular;     // counter-clockwise
-  GrazeVec2d center;  // of mass
+  GrazeVec2d center;  // centre of mass
 } GrazePlaneMotiond;
 
 typedef struct GrazePlaneInverseMassd {
-  double mass, inertia;  // inverse; zeros of what does not move
+  double mass, inertia;  // inverse mass and inertia; zeros for an immovable body
 } GrazePlaneInverseMassd;
 
 typedef struct GrazePlaneStruckBodyd {
@@ -1559,8 +1564,8 @@ GRAZE_C_API GrazeStatus graze_plane_free_set_angular_velocity_d(GrazePlaneFreeBo
 GRAZE_C_API GrazeStatus graze_plane_free_advance_d(GrazePlaneFreeBodyd *body, GrazeVec2d acceleration,
                                                    double duration);
 
-// Worlds of the plane (graze/plane/world.hpp): settings, executors and filters are those of worlds of space, and the
-// functions are the same but for sliding.
+// Worlds of the plane (graze/plane/world.hpp): settings, executors and filters are those of worlds of space, and so are
+// the functions, except for sliding.
 
 typedef struct GrazePlaneWorldd GrazePlaneWorldd;
 
@@ -1568,18 +1573,18 @@ typedef struct GrazePlaneBodyd {
   const GrazePlaneShaped *shape;
   GrazePose2d pose;
   GrazeVec2d linear;  // velocity of the pose's origin
-  double angular;     // the turning about it, counter-clockwise
+  double angular;     // angular velocity about it, counter-clockwise
   GrazeFilter filter;
   bool fixed;    // never moves by itself: two fixed bodies are no pair
-  bool trigger;  // tells that something is inside it; has no contact points
-  bool fast;     // is asked what it would pass through before the next update
+  bool trigger;  // only reports overlaps; has no contact points
+  bool fast;     // is tested for what it would pass through before the next update
 } GrazePlaneBodyd;
 
-// A body that stands at the origin, may move, and collides with everything.
+// A body at the origin that may move and collides with everything.
 GRAZE_C_API GrazePlaneBodyd graze_plane_body_default_d(const GrazePlaneShaped *shape);
 
-// `settings` and `executor` may be null: the defaults, and the calling thread. The executor is copied, what its `user`
-// points to is not.
+// Creates a world. `settings` and `executor` may be null: the defaults, and the calling thread. The executor is copied,
+// the target of its `user` is not.
 GRAZE_C_API GrazeStatus graze_plane_world_create_d(const GrazeWorldSettingsd *settings, const GrazeExecutor *executor,
                                                    GrazePlaneWorldd **world);
 GRAZE_C_API GrazeStatus graze_plane_world_create_captured_d(const GrazeWorldSettingsd *settings,
@@ -1589,7 +1594,7 @@ GRAZE_C_API void graze_plane_world_destroy_d(GrazePlaneWorldd *world);
 
 GRAZE_C_API GrazeStatus graze_plane_world_add_d(GrazePlaneWorldd *world, const GrazePlaneBodyd *body, GrazeBodyId *id);
 GRAZE_C_API GrazeStatus graze_plane_world_remove_d(GrazePlaneWorldd *world, GrazeBodyId id);
-// Puts a body elsewhere; with `velocity` (or null) it has another one from now on.
+// Puts a body elsewhere, with a new velocity unless `velocity` is null.
 GRAZE_C_API GrazeStatus graze_plane_world_move_d(GrazePlaneWorldd *world, GrazeBodyId id, const GrazePose2d *pose,
                                                  const GrazePlaneVelocityd *velocity);
 // Puts many bodies elsewhere. Where one of the bodies or poses is refused none is moved.
@@ -1600,30 +1605,30 @@ GRAZE_C_API GrazeStatus graze_plane_world_set_shape_d(GrazePlaneWorldd *world, G
                                                       const GrazePlaneShaped *shape);
 GRAZE_C_API GrazeStatus graze_plane_world_set_filter_d(GrazePlaneWorldd *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_plane_world_set_fast_d(GrazePlaneWorldd *world, GrazeBodyId id, bool fast);
-// Names in a capture, as of a world of space.
+// Names in a capture, as in a world of space.
 GRAZE_C_API GrazeStatus graze_plane_world_set_name_d(GrazePlaneWorldd *world, GrazeBodyId id, const char *name);
 GRAZE_C_API GrazeStatus graze_plane_world_name_d(const GrazePlaneWorldd *world, GrazeBodyId id, const char **name);
-// Another last word than that of the settings; null allows all.
+// Replaces the final decision on pairs of the settings; null allows all.
 GRAZE_C_API GrazeStatus graze_plane_world_set_allow_d(GrazePlaneWorldd *world,
                                                       bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b),
                                                       void *user);
 
-// How many bodies there are, and how many indices: those of bodies are smaller.
+// The number of bodies, and that of indices: those of bodies are smaller.
 GRAZE_C_API GrazeStatus graze_plane_world_counts_d(const GrazePlaneWorldd *world, size_t *bodies, size_t *indices);
 GRAZE_C_API GrazeStatus graze_plane_world_contains_d(const GrazePlaneWorldd *world, GrazeBodyId id, bool *contains);
-// The handle of the body that has the index now; `found` says whether there is one.
+// The handle of the body that has the index now; `found` is true if there is one.
 GRAZE_C_API GrazeStatus graze_plane_world_body_at_d(const GrazePlaneWorldd *world, uint32_t index, bool *found,
                                                     GrazeBodyId *id);
-// What is known of a body. Its shape is one more share, for the caller to release.
+// The description of a body. Its shape is one more share, for the caller to release.
 GRAZE_C_API GrazeStatus graze_plane_world_body_d(const GrazePlaneWorldd *world, GrazeBodyId id, GrazePlaneBodyd *body);
 // All poses by index, valid until a body is added or moved; at an index without a body any pose.
 GRAZE_C_API GrazeStatus graze_plane_world_poses_d(const GrazePlaneWorldd *world, const GrazePose2d **poses,
                                                   size_t *count);
 
-// Finds what touches now; and, given the time to the next update (or 0), what fast bodies would pass through until
-// then.
+// Finds the contacts of the present poses; and, given the time to the next update (or 0), the bodies that fast ones
+// would pass through until then.
 GRAZE_C_API GrazeStatus graze_plane_world_update_d(GrazePlaneWorldd *world, double duration);
-// Only the latter, by the velocities that bodies have now.
+// Recomputes the impacts only, by the velocities that bodies have now.
 GRAZE_C_API GrazeStatus graze_plane_world_find_impacts_d(GrazePlaneWorldd *world, double duration);
 
 typedef struct GrazePlaneSolverPointd {
@@ -1631,10 +1636,10 @@ typedef struct GrazePlaneSolverPointd {
   double distance;
   uint32_t feature;
   double weight;
-  GrazeVec2d impulse;  // the solver's own: carried on to the same point of the next update, zero at a new one
+  GrazeVec2d impulse;  // the solver's: carried over to the same point of the next update, zero at a new one
 } GrazePlaneSolverPointd;
 
-// What the last update found, which belongs to the world until the next.
+// Contacts of the last update, which belong to the world until the next.
 typedef struct GrazePlaneWorldContactsd {
   const GrazeWorldPair *pairs;  // sorted
   size_t pair_count;
@@ -1645,26 +1650,26 @@ typedef struct GrazePlaneWorldContactsd {
 } GrazePlaneWorldContactsd;
 
 GRAZE_C_API GrazeStatus graze_plane_world_contacts_d(const GrazePlaneWorldd *world, GrazePlaneWorldContactsd *contacts);
-// The same points for a solver, which writes their impulses and nothing else.
+// The contact points for a solver, which writes their impulses and nothing else.
 GRAZE_C_API GrazeStatus graze_plane_world_solver_points_d(GrazePlaneWorldd *world, GrazePlaneSolverPointd **points,
                                                           size_t *count);
-// Leaves at most `most` >= 1 points of every pair.
+// Reduces every pair to at most `most` >= 1 points.
 GRAZE_C_API GrazeStatus graze_plane_world_reduce_d(GrazePlaneWorldd *world, size_t most);
 GRAZE_C_API GrazeStatus graze_plane_world_events_d(const GrazePlaneWorldd *world, const GrazeContactEvent **events,
                                                    size_t *count);
 
-// Two bodies and when they first meet: a.index < b.index, the normal of the hit from a to b.
+// Two bodies and the time of their first contact: a.index < b.index, the normal of the hit from a to b.
 typedef struct GrazePlaneImpactd {
   GrazeBodyId a, b;
   bool trigger;
   GrazePlaneCastHitd hit;
 } GrazePlaneImpactd;
 
-// What fast bodies would meet, in the order of time.
+// Impacts of fast bodies, in the order of time.
 GRAZE_C_API GrazeStatus graze_plane_world_impacts_d(const GrazePlaneWorldd *world, const GrazePlaneImpactd **impacts,
                                                     size_t *count);
 
-// A body and how far it is from the shape that was asked about, which is A.
+// A body and its distance from the query's shape, which is A.
 typedef struct GrazePlaneBodyDistanced {
   GrazeBodyId body;
   GrazePlaneDistanced distance;
@@ -1680,7 +1685,7 @@ typedef struct GrazePlaneBodyCastHitd {
   GrazePlaneCastHitd hit;
 } GrazePlaneBodyCastHitd;
 
-// Questions about bodies where they were last put. `filter` may be null: that of graze_query_filter_default.
+// Queries on bodies where they were last put. `filter` may be null: that of graze_query_filter_default.
 GRAZE_C_API GrazeStatus graze_plane_world_overlapping_d(const GrazePlaneWorldd *world, const GrazePlaneShaped *shape,
                                                         const GrazePose2d *pose, const GrazeQueryFilter *filter,
                                                         GrazeBufferd *buffer, const GrazeBodyId **bodies,
@@ -1702,7 +1707,7 @@ GRAZE_C_API GrazeStatus graze_plane_world_raycast_all_d(const GrazePlaneWorldd *
                                                         double length, const GrazeQueryFilter *filter,
                                                         GrazeBufferd *buffer, const GrazePlaneBodyRayHitd **hits,
                                                         size_t *count);
-// What a shape meets that moves for `duration` while the bodies stand still.
+// The bodies that a shape meets while it moves for `duration` and the bodies stand still.
 GRAZE_C_API GrazeStatus graze_plane_world_cast_d(const GrazePlaneWorldd *world, const GrazePlaneMovingd *moving,
                                                  double duration, const GrazeQueryFilter *filter,
                                                  GrazeSeparating separating, bool *found, GrazePlaneBodyCastHitd *hit);
@@ -1710,35 +1715,35 @@ GRAZE_C_API GrazeStatus graze_plane_world_cast_all_d(const GrazePlaneWorldd *wor
                                                      double duration, const GrazeQueryFilter *filter,
                                                      GrazeSeparating separating, GrazeBufferd *buffer,
                                                      const GrazePlaneBodyCastHitd **hits, size_t *count);
-// Bytes that are held, shapes' own data apart.
+// Bytes that are held, without the shapes' own data.
 GRAZE_C_API GrazeStatus graze_plane_world_memory_d(const GrazePlaneWorldd *world, size_t *bytes);
 
-// Simulations of the plane (graze/plane/simulation.hpp): the functions of those of space. Limits and drives of joints
-// are the same; their axes are x and y to move along, and z to turn about.
+// Simulations of the plane (graze/plane/simulation.hpp): functions as in space. Limits and drives of joints are the
+// same; their axes are x and y to move along, and z to turn about.
 
 typedef struct GrazePlaneSimulationd GrazePlaneSimulationd;
 
 typedef struct GrazePlaneSimulationSettingsd {
   GrazeVec2d gravity;
-  int32_t sub_steps;       // of a step, at least; a power of two
-  int32_t most_sub_steps;  // of an island that bears much; a power of two
+  int32_t sub_steps;       // least number of sub-steps of a step; a power of two
+  int32_t most_sub_steps;  // largest number of sub-steps, for an island under load; a power of two
   bool sleep;              // islands at rest cost nothing and do not move
-  bool continuous;         // what moves fast passes through nothing
-  double longest_step;     // a longer step is refused
+  bool continuous;         // fast bodies do not pass through others
+  double longest_step;     // longer steps are refused
 } GrazePlaneSimulationSettingsd;
 
 GRAZE_C_API GrazePlaneSimulationSettingsd graze_plane_simulation_settings_default_d(void);
 
-// How a body is moved (graze/plane/dynamics.hpp). What it has not follows from the shape and the density.
+// Dynamics of a body (graze/plane/dynamics.hpp). Omitted values follow from the shape and the density.
 typedef struct GrazePlaneDynamicsd {
   bool has_mass, has_center_of_mass, has_inertia;
-  double mass;  // > 0; INFINITY for a body that nothing pushes
+  double mass;  // > 0; INFINITY for a body that impulses do not change
   GrazeVec2d center_of_mass;
-  double inertia;  // about the centre of mass
+  double inertia;  // moment about the centre of mass
   double density;  // mass per area
   double gravity_factor;
   double linear_damping, angular_damping;
-  bool kinematic;  // keeps the velocity that it is given: pushes and is not pushed
+  bool kinematic;  // keeps its given velocity: pushes other bodies and is not pushed
   bool may_sleep;
 } GrazePlaneDynamicsd;
 
@@ -1749,7 +1754,7 @@ typedef struct GrazePlaneMateriald {
   double restitution;       // 0 to 1
   double rolling_friction;  // a length
   uint8_t friction_combine, restitution_combine;  // a GrazeCombine
-  GrazeVec2d surface_velocity;  // of a conveyor, in the body's frame
+  GrazeVec2d surface_velocity;  // velocity of a conveyor's surface, in the body's frame
 } GrazePlaneMateriald;
 
 GRAZE_C_API GrazePlaneMateriald graze_plane_material_default_d(void);
@@ -1761,14 +1766,14 @@ typedef struct GrazePlaneJointd {
   size_t limit_count;
   const GrazeJointDrived *drives;
   size_t drive_count;
-  bool enable_collision;  // otherwise the two do not touch each other
+  bool enable_collision;  // whether the two bodies may touch each other
 } GrazePlaneJointd;
 
-// A joint of that kind without drives; a ball is a hinge. Its limits are constants of the library.
+// A joint of a named kind without drives; a ball is a hinge. Its limits are constants of the library.
 GRAZE_C_API GrazeStatus graze_plane_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePose2d *frame_a,
                                                     GrazeBodyId b, const GrazePose2d *frame_b, GrazePlaneJointd *joint);
 
-// What a step did (graze/simulation.hpp); times by the clock in milliseconds.
+// Statistics of a step (graze/simulation.hpp); times by the clock in milliseconds.
 typedef struct GrazePlaneStepReportd {
   size_t awake, islands, contacts, colors;
   int32_t most_sub_steps;
@@ -1780,10 +1785,10 @@ typedef struct GrazePlaneStepReportd {
   double collide_ms, prepare_ms, solve_ms, continuous_ms, whole_ms;
 } GrazePlaneStepReportd;
 
-// Everything that a simulation goes back to.
+// A saved state of a simulation.
 typedef struct GrazePlaneStated GrazePlaneStated;
 
-// `settings` and `executor` may be null, as for a world.
+// Creates a simulation. `settings` and `executor` may be null, as for a world.
 GRAZE_C_API GrazeStatus graze_plane_simulation_create_d(const GrazePlaneSimulationSettingsd *settings,
                                                         const GrazeExecutor *executor,
                                                         GrazePlaneSimulationd **simulation);
@@ -1792,7 +1797,7 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_create_captured_d(const GrazePlan
                                                                  void *user, GrazePlaneSimulationd **simulation);
 GRAZE_C_API void graze_plane_simulation_destroy_d(GrazePlaneSimulationd *simulation);
 
-// `dynamics` and `material` may be null: the defaults.
+// Adds a body. `dynamics` and `material` may be null: the defaults.
 GRAZE_C_API GrazeStatus graze_plane_simulation_add_d(GrazePlaneSimulationd *simulation, const GrazePlaneBodyd *body,
                                                      const GrazePlaneDynamicsd *dynamics,
                                                      const GrazePlaneMateriald *material, GrazeBodyId *id);
@@ -1801,14 +1806,14 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_add_joint_d(GrazePlaneSimulationd
                                                            const GrazePlaneJointd *joint, GrazeJointId *id);
 GRAZE_C_API GrazeStatus graze_plane_simulation_remove_joint_d(GrazePlaneSimulationd *simulation, GrazeJointId id);
 
-// Moves everything by `dt` > 0.
+// Advances the simulation by `dt` > 0.
 GRAZE_C_API GrazeStatus graze_plane_simulation_step_d(GrazePlaneSimulationd *simulation, double dt);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_apply_impulse_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                                GrazeVec2d impulse, GrazeVec2d point);
 GRAZE_C_API GrazeStatus graze_plane_simulation_apply_angular_impulse_d(GrazePlaneSimulationd *simulation,
                                                                        GrazeBodyId id, double impulse);
-// Throughout the next step: a force on the centre of mass, and a torque.
+// Applies a force on the centre of mass, or a torque, throughout the next step.
 GRAZE_C_API GrazeStatus graze_plane_simulation_apply_force_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                              GrazeVec2d force);
 GRAZE_C_API GrazeStatus graze_plane_simulation_apply_torque_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
@@ -1824,7 +1829,7 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_d(GrazePlaneSimulati
                                                               const GrazePlaneMateriald *material);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_d(GrazePlaneSimulationd *simulation, GrazeVec2d gravity);
 GRAZE_C_API GrazeStatus graze_plane_simulation_wake_d(GrazePlaneSimulationd *simulation, GrazeBodyId id);
-// The name by which a replay calls a body, as of a world.
+// Names a body for a replay, as in a world.
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_name_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                           const char *name);
 
@@ -1833,12 +1838,12 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_pose_d(const GrazePlaneSimulation
 // All poses by index, valid until the simulation changes; at an index without a body any pose.
 GRAZE_C_API GrazeStatus graze_plane_simulation_poses_d(const GrazePlaneSimulationd *simulation,
                                                        const GrazePose2d **poses, size_t *count);
-// The velocity of the centre of mass and the turning about it, and where that centre is in the world.
+// The velocity of the centre of mass and the rotation about it, and the position of that centre in the world.
 GRAZE_C_API GrazeStatus graze_plane_simulation_motion_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                         GrazePlaneVelocityd *velocity, GrazeVec2d *center_of_mass);
 GRAZE_C_API GrazeStatus graze_plane_simulation_angular_momentum_d(const GrazePlaneSimulationd *simulation,
                                                                   GrazeBodyId id, double *momentum);
-// Infinite for what is fixed or kinematic.
+// The mass; infinite for fixed and kinematic bodies.
 GRAZE_C_API GrazeStatus graze_plane_simulation_mass_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                       double *mass);
 GRAZE_C_API GrazeStatus graze_plane_simulation_asleep_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
@@ -1849,13 +1854,13 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_joint_impulses_d(const GrazePlane
                                                                 size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_simulation_report_d(const GrazePlaneSimulationd *simulation,
                                                         GrazePlaneStepReportd *report);
-// The world of the simulation, which belongs to it: contacts, events and all questions.
+// The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_plane_simulation_world_d(const GrazePlaneSimulationd *simulation,
                                                        const GrazePlaneWorldd **world);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_save_d(const GrazePlaneSimulationd *simulation,
                                                       GrazePlaneStated **state);
-// Goes back to a state of this simulation, between which and now no bodies or joints came or went.
+// Goes back to a state of this simulation, since which no bodies or joints came or went.
 GRAZE_C_API GrazeStatus graze_plane_simulation_restore_d(GrazePlaneSimulationd *simulation,
                                                          const GrazePlaneStated *state);
 GRAZE_C_API void graze_plane_state_destroy_d(GrazePlaneStated *state);
@@ -1866,8 +1871,8 @@ GRAZE_C_API GrazeStatus graze_shape_draw_d(const GrazeShaped *shape, const Graze
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_shape_draw_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                  GrazeDrawMeaning meaning, const GrazeDebugDraw *on);
-// A box by its edges; the shortest way between two shapes; points of contact with their normal, as one manifold; a ray
-// or what moves, up to a hit; without one (null) as far as `length` or `duration` goes.
+// Draws a box by its edges; the shortest segment between two shapes; points of contact with their normal, as one
+// manifold; a ray or a moving shape, up to a hit; without one (null) as far as `length` or `duration` goes.
 GRAZE_C_API GrazeStatus graze_aabb_draw_d(const GrazeAabbd *box, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_distance_draw_d(const GrazeDistanced *distance, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_distance_draw_d(const GrazePlaneDistanced *distance, const GrazeDebugDraw *on);
@@ -1883,33 +1888,33 @@ GRAZE_C_API GrazeStatus graze_cast_draw_d(const GrazeMovingd *moving, double dur
                                           const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_cast_draw_d(const GrazePlaneMovingd *moving, double duration,
                                                 const GrazePlaneCastHitd *hit, const GrazeDebugDraw *on);
-// A joint of bodies that stand at these poses, whoever they are: from either origin to its anchor, and how far these
-// are apart. Of a joint its frames are looked at.
+// Draws a joint of bodies at these poses, whichever bodies: from either origin to its anchor, and the gap between the
+// anchors. Only the frames of the joint are read.
 GRAZE_C_API GrazeStatus graze_joint_draw_d(const GrazeJointd *joint, const GrazePosed *pose_a, const GrazePosed *pose_b,
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_joint_draw_d(const GrazePlaneJointd *joint, const GrazePose2d *pose_a,
                                                  const GrazePose2d *pose_b, const GrazeDebugDraw *on);
-// The boxes of a tree, or of another structure, in the layer of trees.
+// Draws the boxes of a tree, or of another structure, in the layer of trees.
 GRAZE_C_API GrazeStatus graze_tree_draw_d(const GrazeAabbd *boxes, size_t count, const GrazeDebugDraw *on);
-// All bodies of a world, their bounds, and the contacts of its last update; of a simulation with joints, and what
-// sleeps told apart.
+// Draws all bodies of a world, their bounds, and the contacts of its last update; for a simulation also its joints,
+// with sleeping bodies marked.
 GRAZE_C_API GrazeStatus graze_world_draw_d(const GrazeWorldd *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_simulation_draw_d(const GrazeSimulationd *simulation, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_simulation_draw_d(const GrazePlaneSimulationd *simulation,
                                                       const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_d(const GrazePlaneWorldd *world, const GrazeDebugDraw *on);
-// Writes the centre and the size of all that is bounded to `on`.
+// Writes the centre and the size of all bounded bodies to `on`.
 GRAZE_C_API GrazeStatus graze_world_draw_area_d(const GrazeWorldd *world, GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_area_d(const GrazePlaneWorldd *world, GrazeDebugDraw *on);
 
 // Captures (graze/capture.hpp) ----------------------------------------------------------------------------------------
 
-// What is played after a frame: a world, of a simulation too, of space or of the plane, until the function returns. The
-// other one is null.
+// Receiver of a replayed frame: the world, also that of a simulation, of space or of the plane, valid until the
+// function returns. The other pointer is null.
 typedef void (*GrazeReplayFunctiond)(void *user, size_t frame, const GrazeWorldd *world,
                                      const GrazePlaneWorldd *plane_world);
 // Plays a capture in this scalar again, to its end or to the first difference. `each` may be null. Any bytes may be
-// given: what is no capture, or damaged, is GRAZE_INVALID_VALUE, with the frame and where it begins.
+// given: GRAZE_INVALID_VALUE for bytes that are no capture or damaged, with the frame and where it begins.
 GRAZE_C_API GrazeStatus graze_replay_d(const void *bytes, size_t size, GrazeReplayFunctiond each, void *user,
                                        GrazeReplayReport *report);
 
