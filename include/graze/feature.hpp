@@ -13,8 +13,7 @@ enum class FeatureKind : std::uint8_t { none, vertex, edge, face };
 /// The feature of one shape: half of a contact point's `feature`.
 struct Feature {
   FeatureKind kind = FeatureKind::none;  ///< `none` for smooth shapes, which have no features
-  /// The number of the vertex or the face. An edge has a number in a form of its own, in the plane that of its first
-  /// vertex.
+  /// The number of the vertex or the face; for an edge, a code of its own, in the plane the number of its first vertex.
   std::uint32_t number = 0;
 };
 

@@ -1,6 +1,6 @@
 // The C interface of Graze: the whole library for programs in C99 and for all languages that can call C.
 //
-// Guarantee: answers are those of the C++ interface, bit for bit, and so are their guarantees, which stand in the C++
+// Guarantee: answers are those of the C++ interface, bit for bit, and so are their guarantees, which are in the C++
 // headers named below. No exception leaves a function. A function that can fail returns a GrazeStatus and, where that
 // is not GRAZE_OK, has changed nothing: neither its object nor the variables that its result pointers point to.
 // `graze_last_error` then returns the value at fault, the expectation there and the value found. A null pointer is

@@ -18,7 +18,7 @@ namespace graze {
 template <class T>
 class GRAZE_API PairChanges {
  public:
-  /// Takes over a broad phase without boxes, which nobody else may change.
+  /// Takes over a broad phase without boxes, which no other code may change.
   explicit PairChanges(std::unique_ptr<BroadPhase<T>> boxes = make_dynamic_tree<T>()) : boxes_(std::move(boxes)) {}
 
   /// Adds a box, as `BroadPhase::insert` does. The id of a removed box may be inserted anew before the next call of

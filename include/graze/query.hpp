@@ -61,12 +61,12 @@ GRAZE_API void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape
 /// counts where it is met from the front, and a closed mesh from outside, unless the middle of the other shape is in
 /// the mesh's bounds and these are at least as wide as it: then either side of the surface pushes.
 ///
-/// A manifold stands on the normal of a face where that separates the shapes nearly as well as the best direction, and
-/// each of its points has its own true distance along that normal. The deepest of them is as deep as `distance` up to a
+/// The normal of a manifold is that of a face where this separates the shapes nearly as well as the best direction;
+/// each point has its own true distance along that normal. The deepest point is as deep as `distance` up to a
 /// two-hundredth of the smaller shape (the radius about its own origin), either way: deeper along a face's normal than
-/// along the best direction, or less deep, where the deepest corner of one shape hangs over the rim of the other's face
-/// and so has no point of that face before it. No point stands for that corner: it would come and go with the rounding
-/// of poses wherever edges of stacked boxes about coincide.
+/// along the best direction, or less deep, where the deepest corner of one shape projects beyond the rim of the other's
+/// face and so has no point of that face opposite it. Such a corner gets no point, which would come and go with the
+/// rounding of poses wherever edges of stacked boxes about coincide.
 ///
 /// A shape wholly inside a solid mesh (see `Mesh::solid`) has one point there, that of `distance`.
 ///

@@ -72,7 +72,7 @@ struct FixedManifold {
 namespace detail {
 
 /// A class rather than a plain return type, since g++ 12 takes `most_contacts<A, B>` in two declarations of one
-/// function for two things.
+/// function for two different arguments.
 template <template <class> class A, template <class> class B, class T>
 struct FixedManifoldOf {
   using type = FixedManifold<T, most_contacts<A, B>>;

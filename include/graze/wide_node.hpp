@@ -17,7 +17,7 @@ namespace graze {
 
 /// Encoding of a child: a node, a leaf, or nothing.
 struct TreeChild {
-  /// No child; and the bit that distinguishes a leaf from a node.
+  /// The value for an absent child, and the bit that distinguishes a leaf from a node.
   static constexpr std::uint32_t none = ~0u, leaf_bit = 1u << 31;
 
   /// Whether the child is a leaf.

@@ -3,8 +3,8 @@
 //     poses -> bounds -> candidate pairs -> filter -> bins by pair type -> manifolds -> begin, stay, end
 //
 // Guarantee: the result of an update is a function of the calls made so far alone: the same bits for any executor and
-// any number of threads. Nothing is dropped: arrays grow. Each stage stands in a header of its own under
-// `graze/world/`, reads plain arrays and leaves one, and can be used without the others.
+// any number of threads. Nothing is dropped: arrays grow. Each stage has a header of its own under `graze/world/`,
+// reads plain arrays and leaves one, and can be used without the others.
 #pragma once
 
 #include <atomic>

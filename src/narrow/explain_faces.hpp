@@ -7,7 +7,8 @@
 
 namespace graze {
 
-/// Nothing where the points do not come from faces: closest points, or a body on a half-space.
+/// Writes to `trace` the faces from which the contact points of `answer` were clipped, in the world, and the cuts of
+/// the clipping; nothing where the points do not come from faces: closest points, or a body on a half-space.
 template <class T>
 void explain_faces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                    const Manifold<T>& answer, Trace& trace);

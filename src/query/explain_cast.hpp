@@ -16,7 +16,7 @@ struct BodyOnItsWay {
   const Velocity<T>& velocity;
 };
 
-/// Writes the steps of conservative advancement up to the hit, or to where the bodies are known to miss, and the
+/// Writes the steps of conservative advancement up to the hit, or up to the time from which a miss is certain, and the
 /// separating axes at that time.
 template <class T>
 void explain_cast(const BodyOnItsWay<T>& a, const BodyOnItsWay<T>& b, T duration, const std::optional<CastHit<T>>& hit,

@@ -1,7 +1,7 @@
 // Configurations of a chain of bodies in a static scene, many of them: a robot's poses, spread over ranks.
 //
-// Guarantee: that of `sweep_lines`: the answers stand in the order of the configurations, byte for byte the same
-// whatever the number of ranks, and with a journal a sweep that was killed goes on where it was.
+// Guarantee: that of `sweep_lines`: the answers are in the order of the configurations, byte for byte the same whatever
+// the number of ranks, and with a journal a sweep that was killed goes on where it was.
 #pragma once
 
 #include <limits>

@@ -1,9 +1,9 @@
 // A sweep: many queries, one a line or a fixed number of bytes of a file, answered by all ranks of a communicator.
 //
-// Guarantee: the answers stand in the order of the queries and are the same bytes whatever the number of ranks. A rank
-// that is done takes more work, so that a slow query holds up nobody but its own rank. With a journal, finished work
-// outlives its processes: started again, by any number of ranks, the sweep goes on where it was, and its output is that
-// of a run that was never stopped. The output appears as a whole or not at all.
+// Guarantee: the answers are in the order of the queries and the same bytes whatever the number of ranks. A rank that
+// is done takes more work, so that a slow query delays only its own rank. With a journal, finished work outlives its
+// processes: started again, by any number of ranks, the sweep goes on where it was, and its output is that of a run
+// that was never stopped. The output appears as a whole or not at all.
 #pragma once
 
 #include <mpi.h>

@@ -26,7 +26,7 @@ class GRAZE_API CandidateFinder {
   const DynamicTree<T>& tree() const { return tree_; }
 
   /// The boxes of all living bodies, for queries: brought up to date for the changes given to `find` and for `changes`.
-  /// Not to be called from several threads at a time; the tree itself may be read from several.
+  /// Must not be called from several threads at a time; the tree itself may be read from several.
   const DynamicTree<T>& tree(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                              std::span<const std::uint32_t> changes);
 

@@ -3,8 +3,8 @@
 // Guarantee: each pair gets the answer of `contacts`, bit for bit, whatever was kept from the last call and on however
 // many threads it runs. Exceptions are bodies that move over the seam of fixed bodies side by side, which meet these as
 // if they were one, and pairs with more points than allowed, which keep those that `reduce` chooses. Pairs are sorted;
-// their manifolds and points stand in the order in which they were found, kind of pair by kind of pair, and those of
-// one pair are contiguous. Data kept from the last call only saves work: a pair of which neither body changed keeps its
+// their manifolds and points are in the order in which they were found, kind of pair by kind of pair, and those of one
+// pair are contiguous. Data kept from the last call only saves work: a pair of which neither body changed keeps its
 // manifolds, and where few pairs changed also their places; a pair that was apart is tested first along its last
 // separating direction, except for pairs of balls, capsules, boxes, triangles and half-spaces that have a kernel, which
 // are answered many at a time.
@@ -83,7 +83,7 @@ class GRAZE_API ManifoldFinder {
 
   /// Finds the contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is
   /// only tested for overlap, and has no manifolds. Nothing is done where no body changed and the pairs are the same.
-  /// Calls `paired` once, from any thread, when the pairs in contact stand in `contacts().pairs`; their manifolds and
+  /// Calls `paired` once, from any thread, when `contacts().pairs` holds the pairs in contact; their manifolds and
   /// points may still be put together while it runs.
   void find(
       const BodyArrays<T, Space>& bodies, std::span<const IdPair> pairs, Executor& executor,
@@ -97,7 +97,7 @@ class GRAZE_API ManifoldFinder {
   std::size_t memory() const;
 
  private:
-  /// States of a candidate pair after the last call that is not in contact: not looked at, or apart.
+  /// States of a candidate pair without contact after the last call: not computed, or apart.
   static constexpr std::uint32_t unknown = ~std::uint32_t{0}, apart = unknown - 1;
   /// Large enough that a thread which comes late to the last task costs little, and a multiple of what kernels take at
   /// a time.

@@ -40,8 +40,8 @@ struct GjkResult {
 /// The needs of a caller, which decide when GJK may stop.
 struct GjkGoal {
   double tolerance;        ///< largest `upper - lower`
-  double separation = -1;  ///< stop as soon as the distance is known to exceed this (if >= 0) ...
-  double proximity = -1;   ///< ... or not to exceed this (if >= 0)
+  double separation = -1;  ///< stop as soon as the distance is known to exceed this (if >= 0)
+  double proximity = -1;   ///< stop as soon as the distance is known not to exceed this (if >= 0)
 };
 
 /// Takes the direction of the nearest point, along which the separation is `separation`, as the normal unless an

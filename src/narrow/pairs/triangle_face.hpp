@@ -95,8 +95,8 @@ struct TriangleFace {
     begin_with(whole & second_half[0] & (!second_half[1]), whole & second_half[1] & (!second_half[2]), vertex);
   }
 
-  /// Chooses what is seen from the side: of the two edges at the vertex nearest to the other shape the one that falls
-  /// off least; if both fall off too much, the vertex.
+  /// Chooses the feature of a triangle seen edge-on: of the two edges at the vertex nearest to the other shape the one
+  /// with the smaller `fall`; the vertex, if both exceed `most_fall`.
   void choose_edge(const TriangleView<S>& view) {
     const Vec3<S>& far = view.far;
     const Mask seen = !whole, top0 = (far.x <= far.y) & (far.x <= far.z), top1 = (!top0) & (far.y <= far.z),

@@ -33,7 +33,8 @@ class SlabClip {
       return;
     }
     const double scale = 1 / rate;
-    // No axis is longer than a unit vector.
+    // An end later than the exact one by less than the time to cross the gap, since no axis is longer than a unit
+    // vector: saves the square root.
     end_ = least(end_, (against + reach + gap_) * scale);
     if ((against - reach) * scale <= begin_) return;
     const double norm = squared == 1 ? 1 : std::sqrt(squared), enters = (against - reach - gap_ * norm) * scale;
