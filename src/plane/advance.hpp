@@ -20,8 +20,8 @@ struct WorldContact {
   Status status = Status::converged;
 };
 
-/// A time in which a gap is not closed by an approach and by what two bodies gain by turning; infinite where it never
-/// is.
+/// The time in which a gap is not closed by an approach and by what two bodies gain by turning; infinite where it never
+/// closes.
 inline double time_to_close(double gap, double approach, const Gain& a, const Gain& b) {
   const double rate = approach + a.rate + b.rate, bend = a.bend + b.bend, turning = a.most + b.most;
   const double root = rate + std::sqrt(rate * rate + 4 * bend * gap);
@@ -30,7 +30,7 @@ inline double time_to_close(double gap, double approach, const Gain& a, const Ga
   return approach > 0 ? greatest(bounded, (gap - turning) / approach) : std::numeric_limits<double>::infinity();
 }
 
-/// What is nearest of two pieces at a time.
+/// The nearest points of two pieces at a time.
 struct Nearby {
   WorldContact contact;
   double gap;
@@ -55,8 +55,9 @@ Nearby nearby(const Mover<T>& a, const Mover<T>& b, double t, double size) {
   return out;
 }
 
-/// Up to when what is nearest at a time stays further apart than `way` less than it is: along its normal no body gets
-/// further than its origin moves and the turn of the piece's outermost points adds, or of polygons its vertices.
+/// The time up to which two pieces come nearer than they are at `now` by less than `way`: along the normal there no
+/// body gets further than its origin moves and the turn of the piece's outermost points adds, or of polygons its
+/// vertices.
 template <class T>
 ApartUntil apart_from(const Mover<T>& a, const Mover<T>& b, const Nearby& now, double way, double duration) {
   const double t = now.contact.t;
@@ -74,7 +75,8 @@ ApartUntil apart_from(const Mover<T>& a, const Mover<T>& b, const Nearby& now, d
   return {greatest(by_axis.t, later), later <= duration};
 }
 
-/// When the discs around two pieces that begin further apart come as near as `near / 2`; nothing where they never do.
+/// The time at which the discs around two pieces that begin further apart are `near / 2` apart; nothing where they
+/// never are.
 template <class T>
 std::optional<double> discs_meet(const Mover<T>& a, const Mover<T>& b, double near) {
   const Vec2d between = b.body.translation - a.body.translation, velocity = b.velocity.linear - a.velocity.linear;

@@ -18,10 +18,11 @@ namespace detail {
 /// functions").
 inline constexpr double quarter_high = 0x1.921fb544p+0, quarter_middle = 0x1.0b4611a6p-34,
                         quarter_low = 0x1.3198a2e037073p-69;
-/// Up to here the whole numbers are small.
+/// The largest angle for which those whole numbers are small.
 inline constexpr double most_reduced = 1024;
 
-/// Of an angle of at most an eighth turn, by the series, whose first terms left out are below 1e-18.
+/// The rotation by at most an eighth turn, from the series of sine and cosine: the first terms left out are below
+/// 1e-18.
 inline Rot2d rotation_of_small(double x) {
   const double square = x * x;
   double cosine = 1, sine = 1;
@@ -52,10 +53,10 @@ inline Rot2d rotation_of(double angle) {
   return out;
 }
 
-/// The angle of a unit vector from the X axis, in [-pi, pi]: of an eighth of it by the series of the arc tangent, whose
-/// first terms left out are below 1e-17.
+/// The angle of a unit vector from the X axis, in [-pi, pi]: eight times that of an eighth, from the series of the arc
+/// tangent, whose first terms left out are below 1e-17.
 inline double angle_of(const Vec2d& direction) {
-  // From the nearer of X and -X, where the digits of the other coordinate tell it.
+  // Measured from the nearer of X and -X, where the other coordinate holds the digits of the angle.
   constexpr double half_turn = 3.14159265358979323846;
   Vec2d d{std::abs(direction.x), direction.y};
   for (int i = 0; i < 3; ++i) d = normalized(Vec2d{d.x + 1, d.y});

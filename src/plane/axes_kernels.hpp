@@ -1,4 +1,4 @@
-// How polygons are given to the kernels of their edges' axes, and what these may be off.
+// Polygons as arguments of the kernels of their edges' axes, and bounds for the rounding of these kernels.
 #pragma once
 
 #include <limits>
@@ -18,9 +18,9 @@ AxesPolygon<T> axes_polygon(const Core<T>& core) {
   return {core.outside ? core.outside : core.inside.data(), core.count};
 }
 
-/// How far the kernel's heights of edges below the origin may be off, relative to the numbers they are made of: floats,
-/// of which the vertices are off by three units (a rotation and a sum), the directions of edges by four, the two
-/// products across and their differences by three more, the inverse of the length by three. Two heights are compared.
+/// The error of the kernel's heights of edges below the origin, relative to the numbers they are made of: floats, of
+/// which the vertices are off by three units (a rotation and a sum), the directions of edges by four, the two products
+/// across and their differences by three more, the inverse of the length by three. Two heights are compared.
 inline constexpr double height_rounding = 32 * double(std::numeric_limits<float>::epsilon());
 
 /// Sizes whose squares floats hold with all their digits, and those of parts a thousandth as large.

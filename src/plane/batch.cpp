@@ -20,7 +20,7 @@ void check_places(const Bodies<T>& bodies, const char* name, std::size_t pair, s
                  static_cast<double>(i));
 }
 
-/// Asks `question(a, pose_a, b, pose_b)` about one pair.
+/// Calls `question(a, pose_a, b, pose_b)` for one pair.
 template <class T, class Question>
 auto ask(const Batch<T>& batch, std::size_t i, const Question& question) {
   const IdPair p = batch[i];
@@ -37,7 +37,7 @@ void for_chunks(Executor* executor, std::size_t count, const F& f) {
   for_each_chunk(executor ? *executor : serial, count, chunk_pairs, f);
 }
 
-/// Appends what one pair alone has. `manifolds` is memory for it.
+/// Appends the contacts of one pair that is computed by itself. `manifolds`: memory for that.
 template <class T>
 void append_alone(const Batch<T>& batch, std::size_t i, T margin, Manifolds<T>& manifolds, BatchContacts<T>& found,
                   typename BatchContacts<T>::Pair& pair) {
@@ -52,13 +52,13 @@ void append_alone(const Batch<T>& batch, std::size_t i, T margin, Manifolds<T>& 
   }
 }
 
-/// Appends the contacts of a block's pairs, given as rows; `pairs` are those of the batch. Which points there are
-/// cannot be foreseen, so all are written, the next one over those that there are not.
+/// Appends the contacts of a block's pairs, given as rows; `pairs` are those of the batch. A branch on whether a point
+/// exists would be mispredicted often, so every point is written, and the next one overwrites one that does not exist.
 template <class T>
 void append_block(const PairBlock& block, const ContactColumns<block_pairs>& found, const ContactRow<T>* rows,
                   BatchContacts<T>& to, typename BatchContacts<T>::Pair* pairs) {
   std::size_t manifolds = to.manifolds.size(), points = to.points.size();
-  // Room for all, of which the rest is given back.
+  // Room for all points; the unused rest is given back.
   to.manifolds.resize(manifolds + block.count + 1);
   to.points.resize(points + 2 * block.count + 1);
   for (std::size_t k = 0; k < block.count; ++k) {

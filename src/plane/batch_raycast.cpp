@@ -29,7 +29,7 @@ bool go_together(const Shape<T>& shape, std::size_t rays, T length) {
   return box && box->half_extents().x > T(0) && box->half_extents().y > T(0);
 }
 
-/// A shape that the kernel takes.
+/// A box or polygon in the form that the kernel takes.
 template <class T>
 RayPolygon ray_polygon(const Shape<T>& shape, const Pose2<T>& pose) {
   RayPolygon out;
@@ -70,7 +70,7 @@ void put(std::span<const Ray<T>> rays, RayBlock& block) {
   for (std::size_t i = rays.size(); i % most_lanes != 0; ++i) put_one(i, rays.back());
 }
 
-/// Calls `f(i, block, place)` for each ray: what the kernel knows of it stands at that place of the block.
+/// Calls `f(i, block, place)` for each ray, whose answer by the kernel stands at that place of the block.
 template <class T, class F>
 void each_ray(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays, const F& f) {
   const RayPolygon polygon = ray_polygon(shape, pose);

@@ -102,7 +102,7 @@ struct MovingPair {
         double(cast_tolerance<T>) / 2 * size +
         4 * std::numeric_limits<double>::epsilon() * (way + length(body_b.translation - body_a.translation));
     if (options.separating == Separating::hit) return pair_cast(at_a, at_b, until, size, near, steps);
-    // What slides until the end is known of the whole time only.
+    // A contact that slides until the end is recognised over the whole time only.
     auto first = pair_cast(at_a, at_b, duration, size, near, steps);
     if (first) first = pressing(at_a, at_b, *first, duration, pair, near);
     if (first && first->t > until) first.reset();
@@ -119,7 +119,7 @@ struct MovingPair {
   }
 };
 
-/// What a cast did about the pair of pieces that it stands on: those numbered `number`.
+/// Fills the trace with what a cast did about the pair of pieces numbered `number`, from which its answer came.
 template <class T>
 void explain_cast(const MovingPair<T>& moving, std::size_t number, double duration, const CastOptions& options,
                   Trace& trace) {
@@ -187,14 +187,14 @@ struct WorldRay {
   }
   /// A hit in the world, at time t.
   RayHit<T> seen(const Pose2d& at, double t, const Vec2d& normal, std::uint32_t piece, Status status) const {
-    // By rounding across the ray at most: a surface that it grazes does not face along it.
+    // A surface that the ray grazes lies along it: its normal points along the ray by rounding at most.
     const Vec2d n = rotate(at.rotation, normal);
     return {static_cast<T>(t), converted<T>(origin + direction * t), converted<T>(n), piece, status};
   }
 };
 
-/// The first hit of a ray up to `until`, which becomes its time. `seen(core, pose, extent, nearer)` is told each piece
-/// that is looked at, and whether it is hit before those so far.
+/// The first hit of a ray up to `until`, which becomes its time. Calls `seen(core, pose, extent, nearer)` for each
+/// piece that is looked at; `nearer`: it is hit before all pieces so far.
 template <class T, class Seen>
 std::optional<RayHit<T>> first_hit(const Shape<T>& shape, const Pose2<T>& pose, const WorldRay<T>& world, double& until,
                                    const Seen& seen) {
@@ -240,7 +240,7 @@ std::optional<RayHit<T>> explained_raycast(const Shape<T>& shape, const Pose2<T>
   return best;
 }
 
-/// A ray at any shape: by itself, so that those of which the hit is sure do not set up what it needs.
+/// A ray at any shape, in a function of its own: rays at a shape with a sure hit do not pay for its set-up.
 template <class T>
 [[gnu::noinline]] std::optional<RayHit<T>> any_raycast(const Shape<T>& shape, const Pose2<T>& pose,
                                                        const WorldRay<T>& world, double until, Trace* trace) {

@@ -27,19 +27,19 @@ struct Core {
   Core() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
 
   CoreKind kind = CoreKind::polygon;
-  double radius = 0;        ///< of the disc that is added
+  double radius = 0;        ///< of the rounding disc
   std::uint32_t count = 0;  ///< of vertices
   union {
     std::array<Vec2<T>, 8> inside;  ///< vertices, counter-clockwise, of a shape that holds none; the rest is untouched
   };
-  const Vec2<T>* outside = nullptr;  ///< those of a polygon, which stand in the shape, with room for eight at least
+  const Vec2<T>* outside = nullptr;  ///< vertices of a polygon, which stand in the shape, with room for eight at least
   Vec2d radii{};                     ///< of an ellipse; of a tapered core those of the lower and the upper disc
   double half_height = 0;            ///< of a tapered core
   const SupportFunction<T>* user = nullptr;
-  /// Of a piece of a polygon or a chain: the outline about each vertex, else null.
+  /// The outline about each vertex of a piece of a polygon or a chain, else null.
   const OutlineVertex* outline = nullptr;
-  const Pieces<T>* pieces = nullptr;  ///< and all of them
-  const Chain<T>* chain = nullptr;    ///< of a chain's segment: the chain
+  const Pieces<T>* pieces = nullptr;  ///< all pieces of that polygon or chain
+  const Chain<T>* chain = nullptr;    ///< the chain that a segment belongs to
 
   Vec2d vertex(std::uint32_t i) const { return plane::converted<double>(outside ? outside[i] : inside[i]); }
   std::uint32_t next(std::uint32_t i) const { return i + 1 == count ? 0 : i + 1; }
@@ -48,7 +48,8 @@ struct Core {
   Vec2d edge(std::uint32_t i) const { return vertex(next(i)) - vertex(i); }
 };
 
-/// Vertex by vertex, and not from a list of them: a list is written and read back by pieces of different sizes.
+/// A core of the given vertices, stored one by one: a list of them is written in pieces of one size and read back in
+/// pieces of another, and such a read waits for the memory.
 template <class T, class... Vertices>
 Core<T> polygon_core(double radius, const Vertices&... vertices) {
   Core<T> core;
@@ -141,8 +142,8 @@ inline constexpr bool has_pieces<Polygon<T>> = true;
 template <class T>
 inline constexpr bool has_pieces<Chain<T>> = true;
 
-/// The core of a shape that is not made of pieces. Made where it is wanted: a copy of one that was just written waits
-/// for the memory.
+/// The core of a shape that is not made of pieces. Built in the place of the result: a copy of a core that was just
+/// written waits for the memory.
 template <class T>
 Core<T> convex_core(const Shape<T>& shape) {
   Core<T> core = shape.visit([](const auto& c) -> Core<T> {
@@ -165,7 +166,7 @@ std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature) {
   return number < core.count ? number : 0;
 }
 
-/// A point of a core, and what of the shape it lies on.
+/// A point of a core and the feature of the shape on which it lies.
 struct CorePoint {
   Vec2d point;
   std::uint32_t feature = 0;

@@ -50,7 +50,7 @@ std::uint32_t first_edge(std::uint32_t count, const EdgeOf& edge_of) {
 
 }  // namespace detail
 
-/// Calls `f` with every edge of A - B, B seen from A by `b_in_a`. Of two points there is none.
+/// Calls `f` with every edge of A - B, B seen from A by `b_in_a`. The difference of two points has none.
 template <class T, class F>
 void for_each_difference_edge(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, F&& f) {
   const auto edge_of_a = [&](std::uint32_t i) { return a.edge(i); };

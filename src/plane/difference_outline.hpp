@@ -8,7 +8,7 @@
 
 namespace graze::plane {
 
-/// Which of two directions less than half a turn apart comes first, counter-clockwise.
+/// The order of two directions less than half a turn apart, counter-clockwise.
 enum class Order { before, same, after, unknown };
 inline Order order(const Vec2d& first, const Vec2d& second) {
   const double turn = cross(first, second);
@@ -16,8 +16,8 @@ inline Order order(const Vec2d& first, const Vec2d& second) {
   return dot(first, second) > 0 ? Order::same : Order::unknown;
 }
 
-/// The outline of the Minkowski difference, gone along step by step: as the walk does, edges of A come before edges of
-/// B of the same direction.
+/// The outline of the Minkowski difference, gone along step by step: edges of A come before edges of B of the same
+/// direction, in the order of `for_each_difference_edge`.
 template <class T>
 class DifferenceOutline {
  public:
@@ -58,7 +58,7 @@ class DifferenceOutline {
 
  private:
   Vec2d edge_b(std::uint32_t j) const { return rotate(b_in_a_.rotation, -b_.edge(j)); }
-  /// Whether A's edge i comes before B's edge j. Of a polygon without edges the other's come before and after.
+  /// Whether A's edge i comes before B's edge j. Where one polygon has no edges, those of the other come first.
   bool a_first(std::uint32_t i, std::uint32_t j) {
     if (a_.count < 2 || b_.count < 2) return b_.count < 2;
     const Order o = order(a_.edge(i), edge_b(j));

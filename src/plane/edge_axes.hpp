@@ -1,7 +1,7 @@
 // The separating axes of two polygons of few vertices: the normals of their edges, all of them beside each other.
 //
-// Guarantee: which edges lie nearest to the origin is told up to a slack that the caller gives, and nothing is rounded
-// into an answer: what comes of an edge is computed anew from its vertices, by whoever asks. So a level of the
+// Guarantee: the edges nearest to the origin are found up to a slack that the caller gives, and no number that the
+// kernel rounds enters an answer: the caller computes an edge's distance anew from its vertices. So a level of the
 // instruction set changes no bit.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace plane {
 /// sum of the vertices and not with their product.
 inline constexpr std::uint32_t most_edges = 16;
 
-/// So many vertices of a polygon can be read, whether it has as many or not.
+/// The number of vertices of a polygon that can be read, whether it has as many or not.
 inline constexpr std::uint32_t readable_vertices = 8;
 
 /// One polygon of the two: its vertices in its own frame, counter-clockwise.
@@ -39,7 +39,7 @@ struct EdgeAxes {
   float deepest_b[most_edges], deepest_a[most_edges];
 };
 
-/// The kernel for vertices in T. `slack`: by how much an edge may lie further off than the nearest one.
+/// The kernel for vertices in T. `slack`: the largest height by which an edge may lie further off than the nearest one.
 template <class T>
 using EdgeAxesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a, double slack,
                                 EdgeAxes& out);
@@ -51,7 +51,7 @@ struct EdgeEntries {
   bool regular = false;  ///< whether every edge has a length that floats can hold, and none lies nearly along the ray
   bool missed = false;   ///< whether the ray surely misses the difference
   std::uint32_t edges_a = 0, edges_b = 0;              ///< edges that may be the one, as bits
-  float deepest_b[most_edges], deepest_a[most_edges];  ///< as of `EdgeAxes`
+  float deepest_b[most_edges], deepest_a[most_edges];  ///< deepest vertices, as in `EdgeAxes`
 };
 
 /// The kernel of these entries, for vertices in T and a ray along the unit vector `direction`.

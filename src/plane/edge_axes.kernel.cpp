@@ -44,7 +44,7 @@ template <std::size_t... I>
   return Beside::of(__builtin_shufflevector(x.v, next.v, (I + 1)...));
 }
 
-/// Where `registers` full ones can be read.
+/// Loads a polygon from memory in which `registers` full registers of vertices can be read.
 template <std::uint32_t registers>
 [[gnu::always_inline]] inline void take_together(const AxesPolygon<float>& polygon, Columns<registers>& to) {
   static_assert(sizeof(Vec2<float>) == 2 * sizeof(float));
@@ -62,7 +62,8 @@ template <std::uint32_t registers>
   }
 }
 
-/// One by one; edges in T, since the difference of two rounded vertices has no digits left where it is short.
+/// Loads a polygon vertex by vertex; edges in T, since the difference of two rounded vertices has no digits left where
+/// it is short.
 template <class T, std::uint32_t registers>
 [[gnu::always_inline]] inline void take_singly(const AxesPolygon<T>& polygon, Columns<registers>& to) {
   constexpr std::uint32_t room = registers * width;
@@ -115,8 +116,8 @@ struct Heights {
   std::uint32_t irregular = 0;  ///< edges without a length, as bits
 };
 
-/// Writes, for each edge of `own`, the height of the origin below it and the vertex of `other` that lies deepest. The
-/// same for A and for B: the difference has B's edges turned by half a turn, and its vertices too.
+/// Writes, for each edge of `own`, the height of the origin below it and the vertex of `other` that lies deepest. A and
+/// B are treated alike: the difference has B's edges turned by half a turn, and its vertices too.
 template <std::uint32_t registers>
 [[gnu::always_inline]] inline void measure(const Columns<registers>& own, const Vertices<registers>& other,
                                            std::uint32_t other_count, float (&deepest)[most_edges],
@@ -203,12 +204,12 @@ template <std::uint32_t registers, class T>
   out.edges_b = nearest_edges(both.heights_b, limit);
 }
 
-/// Edges that the ray meets at less than this, as the sine, have no time that floats can tell.
+/// The least sine of the angle at which the ray meets an edge for floats to bound the time of the crossing.
 constexpr float least_toward = 0x1p-13f;
-/// What the sine between an edge and the ray may be off by rounding.
+/// The rounding error of the sine between an edge and the ray.
 constexpr float toward_rounding = 8 * std::numeric_limits<float>::epsilon();
 
-/// When the ray crosses the lines of a polygon's edges, by bounds, and from which side.
+/// Bounds of the times at which the ray crosses the lines of a polygon's edges, and from which side it does.
 template <std::uint32_t registers>
 struct Crossings {
   using Mask = decltype(Beside() < Beside());

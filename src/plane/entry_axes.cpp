@@ -28,7 +28,7 @@ bool find_entries(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, cons
 /// A few edges in the order of the walk.
 class FewEdges {
  public:
-  /// Whether there was room.
+  /// Inserts an edge and returns whether there was room.
   bool insert(const DifferenceEdge& e) {
     if (size_ == edges_.size()) return false;
     std::size_t k = size_++;

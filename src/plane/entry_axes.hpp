@@ -1,6 +1,6 @@
-// Where a polygon that moves along a line first meets another one, by the axes of their edges.
+// The first contact of a polygon that moves along a line with another one, by the axes of their edges.
 //
-// Guarantee: what the walk around the Minkowski difference finds, bit for bit.
+// Guarantee: the answer of the walk around the Minkowski difference, bit for bit.
 #pragma once
 
 #include "plane/difference.hpp"

@@ -13,14 +13,14 @@ struct Interval {
   double lower, upper;
 };
 
-/// What a placed shape covers along a direction of the world.
+/// The interval that a placed shape covers along a direction of the world.
 template <class T>
 Interval interval(const Core<T>& core, const Pose2d& pose, const Vec2d& direction) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double at = dot(pose.translation, direction);
   const Vec2d own = inverse_rotate(pose.rotation, direction);
   if (core.kind == CoreKind::half_plane) {
-    // Along its normal, within the rounding of a rotation, it ends; along all others it does not.
+    // A half-plane ends along its normal, within the rounding of a rotation, and along no other direction.
     const bool along = std::abs(own.x) <= 1e-12;
     return {along && own.y < 0 ? at - core.radius : -inf, along && own.y > 0 ? at + core.radius : inf};
   }
@@ -34,8 +34,8 @@ void add_axis(const LeafPair<T>& pair, std::string name, const Vec2d& direction,
   trace.axes.push_back({std::move(name), {direction.x, direction.y, 0}, a.lower, a.upper, b.lower, b.upper});
 }
 
-/// The normals of a core's edges, each turned so that the shapes overlap less along it. Of a box the two of its frame,
-/// named by axis.
+/// The normals of a core's edges, each turned so that the shapes overlap less along it. A box has the two axes of its
+/// frame, whose names they bear.
 template <class T>
 void add_edges(const LeafPair<T>& pair, const Core<T>& core, const Pose2d& pose, bool box, const std::string& letter,
                Trace& trace) {

@@ -1,6 +1,6 @@
-// What a pair of shapes in the plane was answered by, told after the answer.
+// The trace of a pair of shapes in the plane, made after the answer.
 //
-// Guarantee: no query takes another way for it. The axes are those of the edges, with the intervals that both shapes
+// Guarantee: no query computes differently for it. The axes are those of the edges, with the intervals that both shapes
 // cover on them. The steps of curved cores are those that led to the answer; polygons are answered by one walk around
 // their difference, and GJK and EPA are run beside it, for show.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace graze::plane {
 
-/// The trace of a pair that was answered by `answer`.
+/// The trace of a pair with the answer `answer`.
 template <class T>
 Trace explained(const LeafPair<T>& pair, const Distance<double>& answer);
 

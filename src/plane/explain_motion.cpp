@@ -14,13 +14,14 @@ struct OwnRay {
   Vec2d origin, direction;
 };
 
-/// A part of a piece that the ray is in from `enter` to `leave`, and the part's normal where it comes in.
+/// Adds a span: the part of a piece that the ray is in from `enter` to `leave`, and the part's normal where the ray
+/// comes in.
 void add_span(std::string name, const Vec2d& normal, double enter, double leave, const Pose2d& pose, Trace& trace) {
   const Vec2d n = rotate(pose.rotation, normal);
   trace.spans.push_back({std::move(name), {n.x, n.y, 0}, enter, leave});
 }
 
-/// Below the line with outward normal `n` through `on`.
+/// Adds the span of the half-plane below the line with outward normal `n` through `on`.
 void add_half_plane(const std::string& name, const Vec2d& n, const Vec2d& on, const OwnRay& ray, const Pose2d& pose,
                     Trace& trace) {
   const double above = dot(ray.origin - on, n), climb = dot(ray.direction, n);
@@ -45,7 +46,8 @@ void add_disc(const std::string& name, const Vec2d& center, double radius, const
   add_span(name, n, along - half, along + half, pose, trace);
 }
 
-/// The rectangle over an edge, as wide to both sides as the rounding: the middle of a capsule, or a segment.
+/// Adds the span of the rectangle over an edge, as wide to both sides as the rounding: the middle of a capsule, or a
+/// segment.
 void add_stretch(const std::string& name, const Vec2d& p, const Vec2d& q, double radius, const OwnRay& ray,
                  const Pose2d& pose, Trace& trace) {
   const Vec2d along = normalized(q - p), n = right(along);
@@ -112,7 +114,7 @@ void explain_ray(const Core<T>& core, const Pose2d& pose, double extent, double 
     trace.reason = "the ray starts inside";
     return;
   }
-  // The part whose beginning the hit is, within some roundings of the way.
+  // The part that begins at the hit, within some roundings of the way.
   const TraceSpan* best = nullptr;
   for (const TraceSpan& span : trace.spans)
     if (span.enter <= span.leave && (!best || std::abs(span.enter - *ray.hit) < std::abs(best->enter - *ray.hit)))

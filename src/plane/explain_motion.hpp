@@ -1,7 +1,7 @@
-// What a ray or a cast in the plane was answered by, told after the answer.
+// The trace of a ray or a cast in the plane, made after the answer.
 //
-// Guarantee: no query takes another way for it; the spans are those of the ray in the parts of one convex piece, the
-// steps those of a second run that is the first again.
+// Guarantee: no query computes differently for it; the spans are those of the ray in the parts of one convex piece, the
+// steps come from a second run, which repeats the first.
 #pragma once
 
 #include "graze/plane/cast.hpp"
@@ -16,7 +16,8 @@ struct TracedRay {
   std::optional<double> hit;
 };
 
-/// Of a ray at one convex piece: spans where its parts are straight or round, else the steps of the search.
+/// Adds the trace of a ray at one convex piece: spans where its parts are straight or round, else the steps of the
+/// search.
 template <class T>
 void explain_ray(const Core<T>& core, const Pose2d& pose, double extent, double near, const TracedRay& ray,
                  Trace& trace);

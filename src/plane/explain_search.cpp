@@ -9,11 +9,11 @@ namespace graze::plane {
 
 namespace {
 
-/// More steps than polygons of many vertices take; curved cores end by the goal.
+/// The most steps, more than polygons of many vertices take; curved cores end by `search_goal`.
 constexpr int most_steps = 200;
-/// How near the bounds come to each other, relative to the size of the pair.
+/// The gap between the bounds at which the search ends, relative to the size of the pair.
 constexpr double search_goal = 1e-10;
-/// How many directions sample the difference of curved cores.
+/// The number of directions that sample the difference of curved cores.
 constexpr int sampled_directions = 96;
 
 /// A point of B - A with the points that it is made of.
@@ -49,7 +49,7 @@ Vec2d nearest_on(const Vec2d& p, const Vec2d& q) {
   return t <= 0.5 ? p + e * t : q - e * (1 - t);
 }
 
-/// Leaves of a simplex the vertices that its point nearest to the origin needs, and returns that point; nothing when a
+/// Reduces a simplex to the vertices that its point nearest to the origin needs, and returns that point; nothing when a
 /// triangle holds the origin.
 std::optional<Vec2d> reduce(Simplex& simplex) {
   if (simplex.size() == 1) return simplex[0].point;

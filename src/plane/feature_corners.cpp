@@ -8,7 +8,7 @@ namespace graze::plane {
 
 namespace {
 
-/// Numbers of features go no further.
+/// The number of feature numbers: larger ones do not fit into a feature.
 constexpr std::uint32_t most_numbers = 1u << graze::detail::feature_number_bits;
 
 template <class T>
@@ -24,14 +24,15 @@ Corners<T> corners_of(const Core<T>& core, const Feature& feature) {
   return corners;
 }
 
-/// Of a tapered capsule the centres of both discs, as of one that is not.
+/// Corners of a capsule: the centres of its discs, also where it is tapered.
 template <class T>
 Corners<T> corners_of(const Capsule<T>& capsule, const Feature& feature) {
   const T h = capsule.half_height();
   return corners_of(polygon_core<T>(0, Vec2<T>{T(0), -h}, Vec2<T>{T(0), h}), feature);
 }
 
-/// Of one piece, whose features have the numbers of the whole outline. Both edges of a chain's segment are one.
+/// Corners of one piece, whose features have the numbers of the whole outline. Both edges of a chain's segment are one
+/// feature.
 template <class T>
 Corners<T> corners_of(const Pieces<T>& pieces, std::uint32_t piece, const Feature& feature) {
   const Core<T> core = piece_core(pieces, piece);
@@ -51,7 +52,7 @@ std::uint32_t largest_number(const Pieces<T>& pieces) {
   return largest;
 }
 
-/// Of the piece that touches; else of any, where no two have different parts of that name.
+/// Corners of the piece that touches; else of any, where no two pieces have different parts of that name.
 template <class T>
 Corners<T> corners_in(const Pieces<T>& pieces, std::uint32_t piece, const Feature& feature) {
   if (largest_number(pieces) >= most_numbers) return {};
@@ -67,7 +68,7 @@ Corners<T> corners_in(const Pieces<T>& pieces, std::uint32_t piece, const Featur
   return corners;
 }
 
-/// Of a child in a compound's frame. Of a compound in a compound nobody knows the child.
+/// Corners of a child in its compound's frame. None in a compound within a compound, whose child is not known.
 template <class T>
 Corners<T> corners_in(const Compound<T>& compound, std::uint32_t piece, const Feature& feature) {
   if (piece >= compound.children().size()) return {};
@@ -79,7 +80,7 @@ Corners<T> corners_in(const Compound<T>& compound, std::uint32_t piece, const Fe
   return corners;
 }
 
-/// What is round or endless.
+/// Whether shapes of the kind C have corners: not where they are round or endless.
 template <class C>
 inline constexpr bool has_corners = true;
 template <class T>

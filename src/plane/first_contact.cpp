@@ -13,7 +13,7 @@ namespace {
 /// ones converge quadratically unless they pass each other.
 constexpr int most_steps = 100;
 
-/// Where polygon B, moved along a direction, meets polygon A.
+/// The first hits of polygon B, moved along a direction, on polygon A: the nearest moved edge and the nearest disc.
 struct DifferenceHit {
   OutlineHit on_edge{}, on_disc{};
   DifferenceEdge edge{};       ///< of `on_edge`
@@ -44,7 +44,7 @@ DifferenceHit meet_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_
   return hit;
 }
 
-/// The point of A's core that is met there.
+/// The point of A's core at a hit.
 template <class T>
 Vec2d point_of_a(const Core<T>& a, const DifferenceHit& hit, const Vec2d& direction) {
   if (hit.on_disc.t < hit.on_edge.t) return a.vertex(hit.vertex_a);
@@ -93,11 +93,11 @@ std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, co
     if (steps) steps->push_back({out.t, gap, {found.normal.x, found.normal.y, 0}});
     if (gap <= near && (closing > 0 || gap <= 0)) return out;
     if (!(closing > 0)) return {};
-    // To half of what counts as contact, so that the last step does not fall short by rounding.
+    // Up to half of the gap that counts as contact, so that the last step does not fall short by rounding.
     const double later = out.t + (gap - near / 2) / closing;
     if (later == never) return {};
     if (!(later <= duration)) {
-      // What remains of the gap at the end may count as contact.
+      // The way ends before this step does: at its end the cores may touch all the same.
       const Nearest last = nearest(a, b, moved(duration), size);
       if (!(last.distance - a.radius - b.radius <= 0)) return {};
       out.t = duration;

@@ -1,7 +1,7 @@
-// When do two cores that move along a line first touch?
+// The first contact of two cores that move along a line.
 //
-// Guarantee: polygons, rounded or not, exactly: a ray against their Minkowski difference. All other kinds by steps of
-// the separating line, each of which ends no later than the true contact.
+// Guarantee: exact for polygons, rounded or not, by a ray against their Minkowski difference. All other kinds by steps
+// of the separating line, each of which ends no later than the true contact.
 #pragma once
 
 #include <optional>

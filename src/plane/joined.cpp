@@ -22,13 +22,13 @@ Vec2d polygon_center(const Core<T>& core) {
     area += twice;
     weighted += (p + q) * twice;
   }
-  // Of a sliver whose area is lost to rounding the mean, which lies in it too.
+  // A sliver whose area is lost to rounding has the mean of its vertices, which lies in it too.
   const double width = length_squared(mean) / (core.count * core.count);
   if (!(area > 1e-12 * width)) return origin + mean / core.count;
   return origin + weighted / (3 * area);
 }
 
-/// A point in the middle of a convex core: of a polygon its centroid. A half-plane has it far below its surface.
+/// A point in the middle of a convex core: a polygon's centroid, and `far` below the surface of a half-plane.
 template <class T>
 Vec2d center_of(const Core<T>& core, double far) {
   switch (core.kind) {
@@ -107,7 +107,7 @@ bool beside_edge(const Core<T>& core, std::uint32_t feature, const Vec2d& point)
   return at < 0 || at > length_squared(core.edge(i));
 }
 
-/// Further off than this, in radians, contacts are no longer taken for the same.
+/// The largest error of a normal, in radians, within which contacts are still taken for the same.
 constexpr double most_doubt = 0x1p-4;
 
 }  // namespace
@@ -124,7 +124,7 @@ bool Joined<T>::face(Core<T>& segment, const Pose2d& pose, const Vec2d& other_ce
   return known.left ? side >= 0 : side <= 0;
 }
 
-/// Turns both of a pair that are segments of chains, as above.
+/// Turns the segments of chains among two cores to the other body. False where a side gives no contacts.
 template <class T>
 bool Joined<T>::faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a) {
   const double far = 4 * (pair.extent_a + pair.extent_b + length(b_in_a.translation));
@@ -173,9 +173,9 @@ void Joined<T>::stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Ne
   deepest_ = distance;
 }
 
-/// Keeps what two sides that face each other have along a normal of an outline. A side that leans a little over pieces
-/// in line is nearest to one of them, and to the others where they begin, along a normal that is not theirs; but it may
-/// rest on them all.
+/// Keeps the contacts of two sides that face each other along a normal of an outline. A side that leans a little over
+/// pieces in line is nearest to one of them, and to the others where they begin, along a normal that is not theirs; but
+/// it may rest on them all.
 template <class T>
 void Joined<T>::keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a,
                              double margin) {
@@ -194,7 +194,8 @@ void Joined<T>::join(const Manifold<T>& manifold) {
   if (!extend(manifold)) out_.push_back(manifold);
 }
 
-/// Adds what pieces in line have to the manifolds beside them. Each of them may be what the next one is beside.
+/// Adds the contacts of pieces in line to the manifolds beside them. A piece that was added may be the neighbour of the
+/// next one, so the search is repeated.
 template <class T>
 void Joined<T>::extend_in_line() {
   for (bool more = true; more;) {
@@ -218,7 +219,7 @@ void Joined<T>::keep_doubtful(const Manifold<T>& manifold, double taken) {
     std::swap(doubtful_[i], doubtful_[i - 1]);
 }
 
-/// Adds doubtful contacts, but for those that are another one within what their normals may be off.
+/// Adds doubtful contacts, but for those that equal another one within the error of their normals.
 template <class T>
 void Joined<T>::join_doubtful() {
   const auto off = static_cast<T>(off_), near = off * static_cast<T>(size_) + tolerated();
@@ -256,7 +257,7 @@ bool Joined<T>::extend(const Manifold<T>& manifold) {
     const auto ends = std::minmax_element(all.begin(), last, by_place);
     const ContactPoint<T> first = *ends.first, second = *ends.second;
     there.points.clear();
-    // Of several pieces the first gives its name, whichever of them was nearest.
+    // The first of several pieces gives its number, whichever of them was nearest.
     if (std::pair(manifold.piece_a, manifold.piece_b) < std::pair(there.piece_a, there.piece_b))
       there.piece_a = manifold.piece_a, there.piece_b = manifold.piece_b;
     there.points.push_back(first);

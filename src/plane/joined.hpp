@@ -2,8 +2,8 @@
 //
 // Guarantee: pieces give contacts only along normals of their outlines; points of pieces side by side that share a
 // normal are one manifold of at most two points, so that seams leave no trace. Its features name vertices of outlines.
-// What overlaps has a contact, but for what lies behind a one-sided chain. A side that lies over several pieces in line
-// is held by all of them, however it leans.
+// Bodies that overlap have a contact, but for what lies behind a one-sided chain. A side that lies over several pieces
+// in line is held by all of them, however it leans.
 #pragma once
 
 #include <algorithm>
@@ -51,11 +51,11 @@ class Joined {
   /// A second visit, to pairs that overlap where no pair gave contacts: lines that cross, and ends that reach through a
   /// corner, leave no normal that is the outline's. The deepest pair then stands in, as it is without its neighbours.
   void stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found);
-  /// Once after each visit. Returns whether there are contacts.
+  /// Ends a visit. Returns whether there are contacts.
   bool finish();
 
  private:
-  /// Which side of a chain faces the other body's centre.
+  /// The side of a chain that faces the other body's centre.
   struct ChainSide {
     const Chain<T>* chain = nullptr;
     Pose2d pose{};
@@ -67,7 +67,7 @@ class Joined {
     std::uint32_t piece_a, piece_b;
     std::size_t count;
     ContactPoint<T> points[2];
-    double doubt = 0;  ///< by how much its normal was taken as off
+    double doubt = 0;  ///< error that its normal was assumed to have
 
     explicit InLine(const Manifold<T>& m)
         : normal(m.normal), piece_a(m.piece_a), piece_b(m.piece_b), count(m.points.size()) {
@@ -97,16 +97,16 @@ class Joined {
   std::size_t first_;
   ChainSide side_a_, side_b_;
   double size_ = 0;
-  /// Of pieces whose nearest points are a neighbour's: what their sides would give along their own normals.
+  /// Contacts of pieces whose nearest points are a neighbour's, along the pieces' own normals.
   SmallVector<InLine, 4> in_line_;
-  /// Contacts of curved pieces whose normals, searched for, belong to a piece by what the search may be off, `off_` at
-  /// most, the surest first: they may be the contact that a neighbour has exactly.
+  /// Contacts of curved pieces whose normals come from a search and belong to a piece within the error of that search,
+  /// `off_` at most; the surest first. A neighbour may have the same contact exactly.
   SmallVector<InLine, 4> doubtful_;
   double off_ = 0;
-  /// What is told where nothing else is: of the first visit the least deep of the contacts whose points lie beside
-  /// their edges, of the second the deepest.
+  /// The contact that stands in where there is no other: after the first visit the least deep of the contacts whose
+  /// points lie beside their edges, after the second the deepest.
   std::optional<Manifold<T>> instead_;
-  double deepest_ = 0;  ///< and how deep that one is
+  double deepest_ = 0;  ///< depth of `instead_`
 };
 
 extern template class Joined<float>;

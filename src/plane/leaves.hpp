@@ -9,7 +9,7 @@
 
 namespace graze::plane {
 
-/// Nothing is too far away.
+/// A filter of pieces that lets all of them through.
 struct Everywhere {
   bool operator()(const Pose2d&, const Aabb2<double>&, double) const { return true; }
 };
@@ -87,14 +87,14 @@ struct LeafPair {
   double size() const { return greatest(extent_a, extent_b); }
 };
 
-/// Whether a disc reaches into a box of pieces, each rounded, or comes as near as `reach()` to it. With room for the
-/// rounding of a few numbers as large as the way between them.
+/// Whether a disc reaches into a box of pieces, each rounded, or comes as near as `reach()` to it. The test leaves room
+/// for the rounding of a few numbers as large as the way between them.
 template <class Reach>
 auto near_disc(const Vec2d& center, double radius, const Reach& reach) {
   return [center, radius, &reach](const Pose2d& pose, const Aabb2<double>& box, double rounding) {
     const Vec2d own = inverse_transform(pose, center);
     const Vec2d off = own - least(greatest(own, box.lower), box.upper);
-    // Of a centre inside the box the depth has no such bound.
+    // A centre inside the box has no such bound for its depth.
     if (off == Vec2d{}) return true;
     return !(length(off) * (1 - 1e-14) - 1e-14 * length(own) > (radius + rounding) * (1 + 1e-14) + reach());
   };
@@ -134,7 +134,7 @@ void for_each_pair_within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
                                 });
                 });
 }
-/// All pairs.
+/// Calls `f` with every pair of convex shapes of two bodies.
 template <class T, class F>
 void for_each_pair(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, F&& f) {
   for_each_pair_within(

@@ -6,7 +6,8 @@ namespace graze::plane {
 
 namespace {
 
-/// How far, as the cosine, an edge may lean from the normal and still be laid over the other's: 60 degrees.
+/// The least cosine between the normal of an edge and that of the contact for the edge to be clipped by the other's: 60
+/// degrees.
 constexpr double least_facing = 0.5;
 
 /// The straight side of a shape that faces a normal, seen along that normal: its ends by their place across it and
@@ -21,7 +22,7 @@ struct Side {
   End low{}, high{};     ///< in order across
   double slope = 0;      ///< of the side's surface: height gained per length across
   double facing = 1;     ///< cosine between its own normal and the given one
-  double leaning = 0;    ///< and the sine: how far its own normal leans across
+  double leaning = 0;    ///< sine of that angle: how far its own normal leans across
   bool endless = false;  ///< of a half-plane
 
   /// Height of the surface at a place across: that of the straight piece or, beyond it, of the disc at the end.
@@ -74,7 +75,7 @@ struct FacingEdge {
     const std::uint32_t top = furthest_from(core, n, near);
     const Edge behind(core, n, core.previous(top));
     if (top == near && own.length > 0 && behind.length > 0) {
-      // Which one it is nobody foresees: its number is selected, and the edge is read anew.
+      // A branch between the two would be mispredicted often: the number is selected, and the edge is read anew.
       const double facings[2] = {own.facing, behind.facing}, lengths[2] = {own.length, behind.length};
       const std::size_t k = behind.facing > own.facing ? 1 : 0;
       from = k == 0 ? own.from : behind.from;
@@ -85,7 +86,7 @@ struct FacingEdge {
   }
 
  private:
-  /// Of normals so near to each other only edges in line have both.
+  /// The cosine from which on a normal counts as the given one: only edges in line have two normals so near.
   static constexpr double same_normal = 1 - 0x1p-40;
 
   struct Edge {
@@ -161,7 +162,7 @@ Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along, std::
 }
 
 /// Makes the deepest point that of the nearest points. Where a disc of a tapered core meets a corner, the end of the
-/// stretch that both sides share is off by as much as the normal is, which is more than the distance is.
+/// stretch that both sides share has the error of the normal, which is larger than that of the distance.
 template <class T>
 void take_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, const Nearest& found) {
   ContactPoint<double>* deepest = nullptr;
@@ -173,8 +174,8 @@ void take_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, con
   deepest->b = deepest->a + found.normal * deepest->distance;
 }
 
-/// The normal of tapered cores, which steps found within the root of their goal (a depth changes by the square of what
-/// a normal is off), made that of the straight side that it stands for.
+/// The normal of tapered cores, replaced by that of the straight side that it stands for. The search finds it within
+/// the root of its goal only: a depth changes by the square of the error of a normal.
 template <class T>
 Vec2d settled_normal(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& n) {
   if (a.kind != CoreKind::tapered && b.kind != CoreKind::tapered) return n;
@@ -209,7 +210,7 @@ void add_point(Manifold<double>& out, const Vec2d& along, double across, double 
   point.weight = 0.5;
 }
 
-/// One point: where the shapes are nearest. Of two discs its weight goes by their radii.
+/// Adds one point, where the shapes are nearest. Between two discs it is weighted by their radii.
 template <class T>
 void add_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, const Nearest& found, double margin) {
   const double distance = found.distance - a.radius - b.radius;
@@ -221,7 +222,7 @@ void add_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, cons
                         discs && radii > 0 ? a.radius / radii : 0.5});
 }
 
-/// The straight side of a polygon, seen along a normal: as `Side`, in order across from its construction on.
+/// The straight side of a polygon, seen along a normal: like `Side`, but in order across from its construction on.
 struct PolygonSide {
   double low_across, high_across, low_height, high_height, radius, facing, leaning, slope;
   std::uint32_t low_vertex, high_vertex;

@@ -9,8 +9,8 @@
 
 namespace graze::plane {
 
-/// Of two cores in A's frame, with `found` their nearest points: the points that are up to `margin` apart, roundings
-/// taken into account.
+/// The points of two cores that are up to `margin` apart, rounding radii taken into account, in A's frame. `found`: the
+/// nearest points of the cores.
 template <class T>
 Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found,
                           double margin);

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Area, first moments and the polar second moment about the origin of the frame; sums of them are those of unions.
+/// Area, first moments and the polar second moment about the origin of the frame; those of a union are the sums of its
+/// parts'.
 struct Moments {
   double area = 0, x = 0, y = 0, polar = 0;
 
@@ -19,7 +20,7 @@ struct Moments {
   }
 };
 
-/// Of a part with its own centre and polar moment about that.
+/// The moments of a part with its own centre and a polar moment about that.
 Moments at(const Vec2d& center, double area, double polar) {
   return {area, area * center.x, area * center.y, polar + area * length_squared(center)};
 }
@@ -31,7 +32,7 @@ Moments triangle(const Vec2d& p, const Vec2d& q) {
           twice * (dot(p, p) + dot(p, q) + dot(q, q)) / 12};
 }
 
-/// A rectangle of width w along the unit vector u and depth d beyond the middle of its edge.
+/// The rectangle over the edge from p to q, as deep as `depth` along the unit vector `outward`.
 Moments strip(const Vec2d& p, const Vec2d& q, const Vec2d& outward, double depth) {
   const double w = length(q - p), area = w * depth;
   return at((p + q) * 0.5 + outward * (depth / 2), area, area * (w * w + depth * depth) / 12);
@@ -82,7 +83,7 @@ Moments inside(const std::vector<Vec2d>& corners) {
   return at(from + center, seen.area, seen.polar - seen.area * length_squared(center));
 }
 
-/// The rounding about a vertex that the edges with these normals meet in.
+/// The rounding of a vertex between edges with the normals `before` and `after`.
 Moments rounded_corner(const Vec2d& corner, const Vec2d& before, const Vec2d& after, double radius) {
   return sector(corner, normalized(before + after, left(before)), angle_of({dot(before, after), cross(before, after)}),
                 radius);
@@ -153,7 +154,7 @@ Moments of_leaf(const Core<T>& core) {
   return {};
 }
 
-/// Where its body has it.
+/// The moments of a part in its place in the body.
 Moments placed(const Moments& m, const Pose2d& pose) {
   if (!(m.area > 0)) return {};
   const Vec2d center{m.x / m.area, m.y / m.area};

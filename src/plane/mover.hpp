@@ -21,10 +21,10 @@ inline Pose2d moved(const Pose2d& pose, const Velocity<double>& velocity, double
 /// h cos w + sqrt(R² - h²) sin w, and sin w <= w, 1 - cos w <= w² / 2: with no sine computed, and exact to first order.
 struct Gain {
   double rate = 0, bend = 0;  ///< rate t + bend t²
-  double most = 0;            ///< and no more than this
+  double most = 0;            ///< bound at any time
 };
 
-/// A convex piece and how it moves: of a compound's child, that turns with its body, the pose at any time.
+/// A convex piece and its motion: its place in a body, and that body's pose and velocity.
 template <class T>
 struct Mover {
   const Core<T>& core;

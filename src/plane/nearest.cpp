@@ -1,4 +1,5 @@
-// Which way to the nearest points a pair of kinds takes; half-planes need but the other core's support point.
+// The choice of a way to the nearest points by the kinds of a pair; half-planes need only the other core's support
+// point.
 #include "plane/nearest.hpp"
 
 #include <limits>
@@ -37,7 +38,7 @@ inline Nearest two_half_planes(const Pose2d& b_in_a) {
   return out;
 }
 
-/// The same with A and B exchanged: from B's frame to A's.
+/// Nearest points with A and B exchanged, brought from B's frame to A's.
 Nearest swapped(const Nearest& of_b, const Pose2d& b_in_a) {
   Nearest out = of_b;
   out.normal = -rotate(b_in_a.rotation, of_b.normal);

@@ -21,34 +21,34 @@ struct Nearest {
   double error = 0;
 };
 
-/// How near the bounds of a curved core's distance come to each other, relative to the size of the pair: a tenth of the
-/// tolerance for double, and in the reach of doubles' rounding.
+/// The gap between the bounds of a curved core's distance at which the search ends, relative to the size of the pair: a
+/// tenth of the tolerance for double, and in the reach of doubles' rounding.
 inline constexpr double goal = 1e-11;
 
 /// Cores that are no further apart than this, relative to their size and the way between their origins, touch: some
 /// sixteen operations have made the distance, each half a unit off, and others would find an overlap.
 inline constexpr double touching_rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// The nearest points of any two cores. `size`: of the pair, which the goal refers to. With `steps`, what was done is
-/// recorded there: A's pose is given for that.
+/// The nearest points of any two cores. `size`: of the pair, which the goal refers to. With `steps`, the steps are
+/// recorded there, in the world of A's pose.
 template <class T>
 Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps = nullptr,
                 const Pose2d& pose_a = {});
 
-/// How near the bounds of a curved pair's distance come to each other: the goal, or what rounding of the support points
-/// leaves (a user's are in T), which lie as far from the origin as the cores do from each other.
+/// The gap that remains between the bounds of a curved pair's distance: the goal, or what rounding of the support
+/// points leaves (a user's are in T), which lie as far from the origin as the cores do from each other.
 template <class T>
 double accuracy(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
 
-/// Of two polygons. `size`: no less than any vertex is from the origin of its core.
+/// The nearest points of two polygons. `size`: no less than any vertex is from the origin of its core.
 template <class T>
 Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
 
-/// The same by the walk around the Minkowski difference, whatever there is faster.
+/// The nearest points of two polygons by the walk around their Minkowski difference, also where another way is faster.
 template <class T>
 Nearest nearest_by_walk(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
 
-/// Of two bounded cores by their support functions.
+/// The nearest points of two bounded cores by their support functions.
 template <class T>
 Nearest nearest_curved(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps,
                        const Pose2d& pose_a);

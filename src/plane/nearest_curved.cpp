@@ -20,7 +20,7 @@ struct Vertex {
   Vec2d point;
 };
 
-/// Where the polygon's outline is nearest to the origin.
+/// The point of the polygon's outline nearest to the origin.
 struct Foot {
   std::size_t edge = 0;  ///< from vertex `edge` to the next
   double parameter = 0;
@@ -82,7 +82,7 @@ class GrowingPolygon {
     }
     const double allowed = 4 * least_reach * least_reach;
     if (least_reach >= 0 && inner.inside && length_squared(inner.point) <= allowed) return inner;
-    // As for polygons: the foot lies on an edge in line with the nearest one, or there is no inside.
+    // The foot lies on an edge in line with the nearest one, as with polygons, or there is no inside.
     Foot outside = nearest_outside(inner);
     if (!(least_reach >= 0 && inner.inside && length_squared(outside.point) <= allowed)) return outside;
     outside.inside = true;

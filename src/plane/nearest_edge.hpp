@@ -22,8 +22,8 @@ inline double parameter_on(const DifferenceEdge& e) {
   return l2 > 0 ? clamp(-dot(e.start, e.edge) / l2, 0.0, 1.0) : 0.0;
 }
 
-/// The point between two at a parameter, from the nearer end, so that both ends come out to the last bit. Which end
-/// that is nobody foresees: both points are computed, which takes less time than a wrong guess.
+/// The point between two at a parameter, from the nearer end, so that both ends come out to the last bit. A branch on
+/// which end that is would be mispredicted often: both points are computed, which takes less time.
 inline Vec2d point_between(const Vec2d& start, const Vec2d& end, const Vec2d& edge, double t) {
   const Vec2d from[2] = {start + edge * t, end - edge * (1 - t)};
   return from[t <= 0.5 ? 0 : 1];
@@ -36,7 +36,7 @@ inline NearestEdge nearest_on(const DifferenceEdge& e) {
   return {e, t, length_squared(point_on(e, t))};
 }
 
-/// How far apart two squares of one distance may be, relative to it: two products, a sum, and differences before.
+/// The relative difference of two squares of one distance by rounding: two products, a sum, and differences before.
 inline constexpr double same_square = 32 * std::numeric_limits<double>::epsilon();
 
 /// Whether an edge has a nearer point than another. A foot within an edge goes before an end that is as far up to
@@ -74,21 +74,21 @@ void take_points(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const
   out.b.point = transform(b_in_a, out.b.point);
 }
 
-/// Where the origin is outside: towards the nearest point of the difference.
+/// Fills the answer of an origin outside: towards the nearest point of the difference.
 template <class T>
 void take_apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const NearestEdge& best, Nearest& out) {
   const Vec2d to = point_on(best.edge, best.parameter), outward = normalized(right(best.edge.edge));
   const bool inner = best.parameter > 0 && best.parameter < 1;
   const double sizes = max_abs(a.vertex(best.edge.i)) + max_abs(b.vertex(best.edge.j)) + max_abs(b_in_a.translation);
-  // On an edge its own normal, which keeps its digits when the gap has few; and where corners touch up to rounding,
-  // which has no direction.
+  // The edge's own normal on an edge, where it keeps its digits when the gap has few, and also where corners touch up
+  // to rounding, since the way between them has no direction.
   const bool touches = best.squared <= touching_rounding * touching_rounding * (sizes * sizes);
   out.normal = inner || touches ? outward : normalized(-to, outward);
   out.distance = inner ? greatest(-dot(to, outward), 0.0) : length(to);
   take_points(a, b, b_in_a, best.edge, best.parameter, out);
 }
 
-/// Where the origin is inside: out through the edge that it lies least deep below.
+/// Fills the answer of an origin inside: out through the edge that it lies least deep below.
 template <class T>
 void take_overlap(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const DifferenceEdge& e, double parameter,
                   double depth, Nearest& out) {

@@ -1,6 +1,6 @@
 // Two polygons: one walk around their Minkowski difference. Where the origin lies outside, the nearest point lies on an
 // edge that the origin sees; inside, the nearest edge's normal is the axis of least overlap, and no search is needed.
-// Of few vertices the edges are compared all at once (`nearest_axes.hpp`), with the same answer.
+// The edges of polygons of few vertices are compared all at once (`nearest_axes.hpp`), with the same answer.
 #include <limits>
 
 #include "plane/nearest_axes.hpp"
@@ -51,7 +51,7 @@ Nearest nearest_by_walk(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a
     for_each_difference_edge(a, b, b_in_a, [&](const DifferenceEdge& e) {
       if (pointlike || !detail::is_zero(e.edge)) offer(any, e);
     });
-    // No edge has it: the difference has no inside (segments on one line, points upon each other).
+    // No edge holds the foot: the difference has no inside (segments on one line, points upon each other).
     if (any.squared > 0 && (pointlike || any.squared > allowed)) {
       take_apart(a, b, b_in_a, any, out);
       return out;

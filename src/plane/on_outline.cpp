@@ -24,21 +24,21 @@ std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature, const Vec2d&
   return best;
 }
 
-/// How far the normal of nearest points may be from the true one where the points are right within the rounding of the
-/// sizes and of what lies between the bodies, as those of polygons are.
+/// The error of the normal of nearest points that are right within the rounding of the sizes and of what lies between
+/// the bodies, as those of polygons are.
 double normal_rounding(const Pose2d& b_in_a, const Nearest& found, double size) {
   const double apart = std::abs(found.distance);
   if (!(apart > 0)) return 1;
   return greatest(unit_rounding, unit_rounding * (size + length(b_in_a.translation)) / apart);
 }
 
-/// How far the normal of nearest points may be from the true one.
+/// The error of the normal of any nearest points.
 template <class T>
 double normal_error(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
   const double apart = std::abs(found.distance), of_points = normal_rounding(b_in_a, found, size);
   if (!(apart > 0)) return 1;
   if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) return of_points;
-  // Of a curved core the distance is right within `error`. The point v that was found and the nearest one w of a convex
+  // The distance of a curved core is right within `error`. The point v that was found and the nearest one w of a convex
   // set make no acute angle at w, so |v - w|^2 <= v^2 - w^2 <= 2 |v| error, and seen from the origin they are no
   // further apart than the square root of 2 error / |v|, up to the square of that.
   const double error = accuracy(a, b, b_in_a, size) + found.error;
@@ -170,7 +170,7 @@ template <class T>
 std::optional<Nearest> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
                                            const Nearest& found, double size) {
   if (!a.outline && !b.outline) return found;
-  // Of cores so near to each other that rounding takes more than a few digits of the normal, the axes decide.
+  // The axes decide about cores so near to each other that rounding takes more than a few digits of the normal.
   constexpr double few_digits = 65536 * unit_rounding;
   const bool apart = found.distance > few_digits * (size + length(b_in_a.translation));
   const bool settled = apart || a.kind != CoreKind::polygon || b.kind != CoreKind::polygon;

@@ -1,9 +1,9 @@
 // Contacts of pieces along normals that belong to the outline.
 //
-// Guarantee: which normals a piece of a polygon or a chain may have follows from the edges on both sides of its
+// Guarantee: the normals that a piece of a polygon or a chain may have follow from the edges on both sides of its
 // vertices: an edge of the outline has its own normal, a convex vertex those between the normals of its edges (its
 // Voronoi region), a reflex one none, a cut none. No measure of closeness takes part but the rounding of the numbers
-// at hand and, where a core is curved, how far the normal that was searched for may be from the true one.
+// at hand and, where a core is curved, the error of the normal that was searched for.
 #pragma once
 
 #include <optional>
@@ -16,22 +16,22 @@ namespace graze::plane {
 template <class T>
 bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size);
 
-/// How sure such a normal is: by how much it has to be taken as off for it to belong to the outlines, zero where its
-/// rounding is enough, and by how much it may be off. Of polygons both are rounding.
+/// The doubt whether such a normal belongs to the outlines: the error that it must have for that, zero where its
+/// rounding is enough, and the error that it may have. Of polygons both are rounding.
 struct Doubt {
   double taken = 0, possible = 0;
 };
 template <class T>
 Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size);
 
-/// Of two cores that overlap: the axis of least overlap among the normals that belong to the outlines. The normals of
-/// edges beside the pieces take part, so that a piece gives way where its neighbour is less deep. Nothing where the
-/// pieces have no such axis.
+/// The axis of least overlap of two cores among the normals that belong to the outlines. The normals of edges beside
+/// the pieces take part, so that a piece gives way where its neighbour is less deep. Nothing where the pieces have no
+/// such axis.
 template <class T>
 std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
 
-/// The nearest points along normals that belong to the outlines: `found` where it is such, the axis of least overlap
-/// where cores overlap, and nothing where the contact is a neighbour's.
+/// The nearest points along normals that belong to the outlines: `found` where its normal does, the axis of least
+/// overlap where cores overlap, and nothing where the contact is a neighbour's.
 template <class T>
 std::optional<Nearest> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
                                            const Nearest& found, double size);

@@ -1,4 +1,4 @@
-// On which side of a line does a point lie?
+// The side of a line on which a point lies.
 //
 // Guarantee: exact for doubles, as long as no product of two coordinates under- or overflows. Most answers come from
 // one rounded determinant with its error bound; the rest from an exact sum (Shewchuk 1997, "Adaptive precision

@@ -1,4 +1,5 @@
-// Where a ray first meets a rounded outline, piece by piece: its edges moved outward, and the discs about its vertices.
+// The first hit of a ray on a rounded outline, piece by piece: its edges moved outward, and the discs about its
+// vertices.
 #pragma once
 
 #include <cmath>
@@ -17,14 +18,14 @@ struct OutlineHit {
 };
 
 /// Whether a point surely lies further than `radius` above the line of an edge: `start` and `edge` seen from that
-/// point, with room for rounding, so that what lies nearer to the line is left to who measures it.
+/// point. The test leaves room for rounding, so that a point nearer to the line is left to a measurement.
 inline bool surely_above(const Vec2d& start, const Vec2d& edge, double radius) {
   const double above = -dot(right(edge), start);
   return above > 0 && above * above * (1 - 0x1p-40) > radius * radius * length_squared(edge);
 }
 
-/// What the place of a vertex beside a ray may be off, relative to the numbers it is made of, and where `meet_edge`
-/// puts the end of an edge besides: both are a few units of rounding, and this far more, since no answer comes of it.
+/// A bound for the error of a vertex's place beside a ray, relative to the numbers it is made of, and for that of the
+/// end of an edge in `meet_edge`: both are a few units of rounding, and this is far more, since no answer comes of it.
 inline constexpr double beside_rounding = 0x1p-40;
 
 /// Whether a ray from the origin may pass between the ends of an edge that it sees from the front: from the left of the
@@ -34,10 +35,10 @@ inline bool may_pass(const Vec2d& start, const Vec2d& edge, const Vec2d& directi
   return cross(direction, start) >= -slack && cross(direction, start + edge) <= slack;
 }
 
-/// Tells whether an edge moved outward by `radius` is met first, from its front. Its ends are met within the rounding
-/// of the path: a ray through the vertex of two edges meets one of them.
+/// Whether an edge moved outward by `radius` is met before `best`, which it then becomes, and from its front. Its ends
+/// are met within the rounding of the path: a ray through the vertex of two edges meets one of them.
 inline bool meet_edge(const Vec2d& start, const Vec2d& edge, double radius, const Vec2d& direction, OutlineHit& best) {
-  // What is seen from behind needs no root.
+  // An edge seen from behind needs no root.
   if (!(dot(right(edge), direction) < 0)) return false;
   if (radius == 0 && !may_pass(start, edge, direction)) return false;
   const double l = length(edge);
@@ -53,7 +54,8 @@ inline bool meet_edge(const Vec2d& start, const Vec2d& edge, double radius, cons
   return true;
 }
 
-/// Tells whether the disc about a vertex is met first. One of no radius is met within the rounding of the path.
+/// Whether the disc about a vertex is met before `best`, which it then becomes. A disc of no radius is met within the
+/// rounding of the path.
 inline bool meet_disc(const Vec2d& center, double radius, const Vec2d& direction, OutlineHit& best) {
   const double along = dot(center, direction), across = cross(direction, center);
   const double reach = radius > 0 ? radius : 8 * std::numeric_limits<double>::epsilon() * length(center);

@@ -18,7 +18,7 @@ std::string vertex_path(std::size_t i) { return "points[" + std::to_string(i) + 
                      "[" + validate::number(found.x) + ", " + validate::number(found.y) + "]");
 }
 
-/// The points as they are taken: in range, those in a row not the same.
+/// The given points, checked: in range, and no two in a row the same.
 template <class T>
 std::vector<Vec2<T>> checked_points(std::span<const Vec2<T>> points, std::size_t fewest, bool closed) {
   if (points.size() < fewest)
@@ -42,7 +42,7 @@ T extent_of(const std::vector<Vec2<T>>& points) {
   return out;
 }
 
-/// Positive of an outline that runs counter-clockwise: how it turns at its lowest vertex, where it is convex.
+/// The orientation of an outline, positive where it runs counter-clockwise: that of its lowest vertex, which is convex.
 double turn_of(std::span<const Vec2d> outline) {
   const std::size_t n = outline.size();
   const auto lowest = static_cast<std::size_t>(

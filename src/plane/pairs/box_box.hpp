@@ -1,4 +1,4 @@
-// Boxes against boxes and segments: four separating axes, and where a corner is nearest to a corner, that.
+// Boxes against boxes and segments: four separating axes, and the corners where two of these are nearest.
 //
 // Guarantee: the least overlap is exact, since the edges of the Minkowski difference of two boxes are parallel to those
 // of the boxes. A segment is a box without a width.
@@ -9,7 +9,7 @@
 
 namespace graze::plane {
 
-/// What `nearest_boxes` takes for B.
+/// The kinds of shapes that `nearest_boxes` takes for B.
 enum class SecondBox { box, segment };
 
 /// The gaps of two boxes along their four axes, and the axis of the largest.
@@ -51,7 +51,7 @@ template <SecondBox second, class S>
   const Vec2<S> inward = -inverse_rotate(turn, n);
   const Vec2<S> corner{sign_of(inward.x), sign_of(inward.y)};
   const Vec2<S> vertex = offset + rotate(turn, Vec2<S>{corner.x * incident.x, corner.y * incident.y});
-  // Of edges in line with each other the corner may lie beside the reference edge.
+  // The corner may lie beside the reference edge where the edges are in line with each other.
   const Vec2<S> foot{select(along_x, s * half.x, clamped(vertex.x, half.x)),
                      select(along_x, clamped(vertex.y, half.y), s * half.y)};
   const S reference_side = edge_number(select(along_x, one, zero), n);
@@ -75,7 +75,7 @@ template <SecondBox second, class S>
   return out;
 }
 
-/// Of boxes that are apart the corner of one that is nearest to the other.
+/// The corner of one of two boxes that are apart which is nearest to the other.
 template <class S>
 struct NearestCorner {
   using Mask = decltype(S(0) < S(0));
