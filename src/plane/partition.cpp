@@ -119,13 +119,13 @@ std::vector<std::vector<std::uint32_t>> convex_pieces(std::span<const Vec2d> out
       edges.push_back({a, b, start + (k + 2) % 3, start + (k + 1) % 3, r});
     }
   }
-  // Rings that were joined are those of a tree; the way to its root is halved on the way (Tarjan, van Leeuwen 1984).
+  // Joined rings form a tree; the way to its root is halved while it is walked (Tarjan, van Leeuwen 1984).
   const auto root = [&](std::size_t r) {
     while (joined[r] != r) r = joined[r] = joined[joined[r]];
     return r;
   };
   for (const auto& [l, r] : cuts) {
-    // Convex still at both ends of the cut without it. Two rings of a simple polygon share no more than one.
+    // Both ends of the cut have to be convex without it. Two rings of a simple polygon share no more than one cut.
     if (side(outline[edges[edges[l].before].from], outline[edges[l].from], outline[edges[edges[r].after].to]) < 0 ||
         side(outline[edges[edges[r].before].from], outline[edges[l].to], outline[edges[edges[l].after].to]) < 0)
       continue;

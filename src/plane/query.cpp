@@ -14,10 +14,10 @@ namespace graze::plane {
 
 namespace {
 
-/// Takes over how sure of its distance a pair of convex shapes is.
+/// Copies the status of a pair's distance, and the error that it may have, to the answer.
 template <class T, class Answer>
 void take_status(const Nearest& found, const LeafPair<T>& pair, Answer& out) {
-  // Within the tolerance of T after all.
+  // An error within the tolerance of T is none.
   if (found.status == Status::bounded && found.error <= double(tolerance<T>) / 2 * pair.size()) return;
   out.status = found.status;
   out.error = static_cast<decltype(out.error)>(found.error);
@@ -85,7 +85,7 @@ Distance<T> convex_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Sha
   return out;
 }
 
-/// The distance of shapes without a special pair: by itself, so that the others do not set up what it needs.
+/// The distance of shapes without a special pair, in a function of its own: special pairs do not pay for its set-up.
 template <class T>
 [[gnu::noinline]] Distance<T> general_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
                                                const Pose2<T>& pose_b) {
@@ -96,12 +96,13 @@ template <class T>
 /// The distance by the special pair of the shapes' kinds, else the smallest over all pairs of convex pieces.
 template <class T>
 Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
-  // No answer is copied: what was written by its parts is read in one piece, for which processors wait.
+  // No answer is copied: it is written in parts, and processors wait before they read them in one piece.
   if (Distance<T> special; special_distance(a, pose_a, b, pose_b, special)) return special;
   return general_distance(a, pose_a, b, pose_b);
 }
 
-/// Of a point inside: the deepest of its ways out, of a polygon through all of its outline and not that of one piece.
+/// The signed distance of a point inside: the deepest of its ways out, which from a polygon leads through the outline
+/// of the whole and not through that of one piece.
 template <class T>
 Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point) {
   Distance<double> best;
@@ -122,7 +123,7 @@ Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, co
   return best;
 }
 
-/// Appends the manifold of two convex shapes, if they are within `margin`, and tells whether they overlap.
+/// Appends the manifold of two convex shapes, if they are within `margin`, and returns whether they overlap.
 template <class T>
 bool add_manifold(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin,
                   Manifolds<T>& manifolds) {

@@ -1,8 +1,8 @@
 // Rays beside each other against one polygon without rounding.
 //
-// Guarantee: a hit or a miss is only told where it is sure, and then by the operations of `hit_edge`, ray by ray: the
-// bits are those of a ray alone, at every level of the instruction set. Rays that begin inside or behind, or pass a
-// vertex so closely that rounding decides, are left to who asks one by one.
+// Guarantee: a hit or a miss is reported only where it is sure, and then by the operations of `hit_edge`, ray by ray:
+// the bits are those of a ray alone, at every level of the instruction set. Rays that begin inside or behind, or pass a
+// vertex so closely that rounding decides, are left unknown, to be traced one by one.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,8 @@ struct RayPolygon {
   double world_x[most_ray_vertices], world_y[most_ray_vertices];    ///< these normals in the world
 };
 
-/// Rays in the world, and what became of them. Unknown are also those whose directions are none, or too long or too
-/// short for their squares.
+/// Rays in the world, and their outcomes. A ray is unknown also where its direction is zero, or too long or
+/// too short for its square.
 struct RayBlock {
   enum State : std::uint8_t { unknown, missed, hit };
 
@@ -40,7 +40,7 @@ struct RayBlock {
   State state[most_rays];
 };
 
-/// Asks about the first `count` rays; those up to a multiple of the lanes are read and written, too.
+/// Traces the first `count` rays; those up to a multiple of the lanes are read and written, too.
 using RayBlockKernel = void (*)(const RayPolygon& polygon, RayBlock& rays, std::size_t count);
 
 }  // namespace plane

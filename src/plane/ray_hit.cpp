@@ -37,7 +37,7 @@ std::optional<CoreRayHit> hit_polygon(const Core<T>& polygon, const Vec2d& origi
   return CoreRayHit{first.t, first.normal};
 }
 
-/// Where no edge is surely the one that is met.
+/// The hit where no edge is surely the one that is met.
 template <class T>
 [[gnu::noinline]] std::optional<CoreRayHit>
 hit_closely(const Core<T>& core, const Vec2d& origin, const Vec2d& direction, double until, double size, double near) {

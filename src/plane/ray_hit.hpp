@@ -17,7 +17,8 @@ struct CoreRayHit {
   Status status = Status::converged;
 };
 
-/// `direction` of unit length, both in the core's frame. Curved cores count as hit from `near` on.
+/// The first hit up to `until`. `direction` of unit length, both in the core's frame. Curved cores count as hit from
+/// `near` on.
 template <class T>
 std::optional<CoreRayHit> ray_hit(const Core<T>& core, const Vec2d& origin, const Vec2d& direction, double until,
                                   double size, double near);

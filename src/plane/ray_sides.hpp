@@ -1,7 +1,7 @@
-// On which side of the line of a ray the vertices of a polygon lie: all of them beside each other.
+// The sides of a ray's line on which the vertices of a polygon lie, all of them beside each other.
 //
-// Guarantee: told only where the distance from the line is beyond what floats round it by; a level of the instruction
-// set changes no answer.
+// Guarantee: a side is given only where the distance from the line is beyond the rounding of floats; a level of the
+// instruction set changes no answer.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ struct RaySides {
   std::uint32_t left, right;
 };
 
-/// The kernel. The ray's line are the points p with cross(along, p) = offset; within `slack` of it nothing is told.
+/// The kernel. The ray's line are the points p with cross(along, p) = offset; vertices within
+/// `slack` of it have no side.
 using RaySidesKernel = RaySides (*)(const Vec2f* vertices, std::uint32_t count, float along_x, float along_y,
                                     float offset, float slack);
 

@@ -68,7 +68,7 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
                              validate::number(static_cast<double>(turn.sine)) + "]");
     child.pose.rotation = normalized(turn);
     const T reach = length(child.pose.translation) + plane::extent(child.shape);
-    // One in another in another adds up.
+    // The reaches of compounds within compounds add up.
     constexpr T furthest = T(8) * largest_magnitude<T>;
     if (!(reach <= furthest))
       validate::fail(path, "a child that reaches at most " + validate::number(static_cast<double>(furthest)),

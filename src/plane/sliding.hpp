@@ -1,4 +1,4 @@
-// Whether pieces that touch press against each other, or slide along each other and leave.
+// The distinction of pieces that touch and press against each other from those that slide along each other and leave.
 //
 // Guarantee: `Separating::ignored` of `graze/motion.hpp`. Pieces slide as long as their signed distance, which for
 // convex pieces is the gap along the plane that keeps them furthest apart, stays above what it was at the start less
@@ -10,11 +10,11 @@
 
 namespace graze::plane {
 
-/// The part of the way to the middle of each other that pieces may sink, and of the size of the smaller one that
-/// rounding of coordinates may make them; as `src/cast/sliding.hpp`.
+/// The part of the way to the middle of each other that pieces may sink, and the part of the size of the smaller one by
+/// which rounding of coordinates may sink them, both as in `src/cast/sliding.hpp`.
 inline constexpr double sinking_of_way = 1.0 / 4, slack_of_size = 1.0 / 16;
 
-/// How wide a piece is along a direction of the world; infinite of a half-plane.
+/// The width of a piece along a direction of the world; infinite for a half-plane.
 template <class T>
 double width(const Mover<T>& piece, const Vec2d& normal, double t) {
   if (piece.core.kind == CoreKind::half_plane) return std::numeric_limits<double>::infinity();
@@ -22,7 +22,7 @@ double width(const Mover<T>& piece, const Vec2d& normal, double t) {
   return dot(own, support(piece.core, own).point - support(piece.core, -own).point) + 2 * piece.core.radius;
 }
 
-/// How much deeper than `depth` the pieces of a contact may get.
+/// The depth beyond that of a contact to which its pieces may sink while they slide.
 template <class T>
 double may_sink(const Mover<T>& a, const Mover<T>& b, const WorldContact& contact, double duration,
                 const LeafPair<T>& pair, double near) {
@@ -37,7 +37,7 @@ double may_sink(const Mover<T>& a, const Mover<T>& b, const WorldContact& contac
   const double rounding = 4 * double(std::numeric_limits<T>::epsilon()) * reach;
   const double sink = sinking * double(cast_tolerance<T>) * smaller + least(rounding, smaller * slack_of_size);
   const double way = (width(a, contact.normal, contact.t) + width(b, contact.normal, contact.t)) / 2 - contact.depth;
-  // No less than what a distance is off by.
+  // No less than the error of a distance.
   return greatest(least(sink, way * sinking_of_way), near / 8);
 }
 
@@ -51,8 +51,8 @@ bool approaches(const Mover<T>& a, const Mover<T>& b, const WorldContact& contac
   return dot(velocity(b) - velocity(a), contact.normal) < 0;
 }
 
-/// From when on two pieces press that touch `first` at a time; nothing where they slide or leave until the end.
-/// `near`: half of the D of `graze/plane/cast.hpp`.
+/// The contact at which two pieces begin to press that touch at `first`; nothing where they slide or leave until the
+/// end. `near`: half of the D of `graze/plane/cast.hpp`.
 template <class T>
 std::optional<WorldContact> pressing(const Mover<T>& a, const Mover<T>& b, const WorldContact& first, double duration,
                                      const LeafPair<T>& pair, double near) {
@@ -68,11 +68,11 @@ std::optional<WorldContact> pressing(const Mover<T>& a, const Mover<T>& b, const
     apart = now.gap > near;
   };
   if (!advance(a, b, first.t, duration, size, -deep, near, seen)) {
-    // With no time left to get as deep, what presses counts from D on.
+    // Where no time is left to get as deep, pieces that press count from the depth D on.
     const Nearby last = nearby(a, b, duration, size);
     if (!(last.gap < -first.depth - 2 * near) || !approaches(a, b, last.contact)) return {};
   }
-  // What has left the other and comes back touches it anew.
+  // A piece that has left the other and comes back touches it anew.
   return apart ? advance(a, b, press.t, duration, size, near) : press;
 }
 

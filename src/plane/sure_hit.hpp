@@ -1,7 +1,7 @@
-// Rays of which it is sure what they meet, in closed form: at circles, boxes and convex polygons without rounding.
+// Sure hits of rays in closed form, at circles, boxes and convex polygons without rounding.
 //
-// Guarantee: where the answer is known, the bits are those of `ray_hit`. It is left to that where the ray begins inside
-// or passes a vertex so closely that rounding decides. Inlined, so that a ray stays in registers.
+// Guarantee: where the answer is known, the bits are those of `ray_hit`. A ray that begins inside or passes a vertex so
+// closely that rounding decides is left to `ray_hit`. Inlined, so that a ray stays in registers.
 #pragma once
 
 #include <bit>
@@ -15,7 +15,7 @@
 
 namespace graze::plane {
 
-/// Where a ray meets a shape, or that it surely does not.
+/// A hit of a ray at a shape, or a sure miss.
 struct SureHit {
   bool known = false;
   double t = never;  ///< `never` on a miss
@@ -28,7 +28,7 @@ inline RaySidesKernel ray_sides_kernel() {
   return chosen;
 }
 
-/// The sides on which the vertices lie, in floats by the kernel: none where these do not tell them all.
+/// The sides on which the vertices lie, by the kernel in floats; a vertex is on neither where floats do not decide.
 [[gnu::always_inline]] inline RaySides sides_in_lanes(const AxesPolygon<float>& polygon, const Vec2d& origin,
                                                       const Vec2d& direction, double size) {
   const double offset = cross(direction, origin);
@@ -44,7 +44,7 @@ bool sided_in_lanes(const AxesPolygon<T>& polygon, double size) {
          size <= most_size;
 }
 
-/// The same in doubles, one by one.
+/// The sides on which the vertices lie, in doubles, one by one.
 template <class T>
 [[gnu::always_inline]] inline RaySides sides_one_by_one(const AxesPolygon<T>& polygon, const Vec2d& origin,
                                                         const Vec2d& direction) {
@@ -75,7 +75,7 @@ inline SureHit hit_edge(const Vec2d& start, const Vec2d& n, const Vec2d& directi
   return {true, above / toward, n};
 }
 
-/// A polygon without rounding.
+/// The hit of a polygon without rounding.
 template <class T>
 [[gnu::always_inline]] inline SureHit sure_hit(const AxesPolygon<T>& polygon, const Vec2d& origin,
                                                const Vec2d& direction, double size) {
@@ -94,7 +94,7 @@ template <class T>
   return hit_edge(from - origin, right(edge / length(edge)), direction);
 }
 
-/// A box about the origin, its vertices and edges numbered as those of its core.
+/// The hit of a box about the origin, whose vertices and edges are numbered as in its core.
 inline SureHit sure_hit(const Vec2d& half, const Vec2d& origin, const Vec2d& direction) {
   const double x = direction.y * half.x, y = direction.x * half.y;
   const double left = direction.x * origin.y, right = direction.y * origin.x, offset = left - right;
@@ -113,7 +113,7 @@ inline SureHit sure_hit(const Vec2d& half, const Vec2d& origin, const Vec2d& dir
   return hit_edge(Vec2d{n.x * half.x, n.y * half.y} - origin, n, direction);
 }
 
-/// A disc about the origin.
+/// The hit of a disc about the origin.
 inline SureHit sure_hit(double radius, const Vec2d& origin, const Vec2d& direction) {
   if (!(radius > 0 && length_squared(origin) > radius * radius)) return {};
   OutlineHit hit;
@@ -121,7 +121,7 @@ inline SureHit sure_hit(double radius, const Vec2d& origin, const Vec2d& directi
   return {true, hit.t, hit.normal};
 }
 
-/// A shape, with the ray seen from its frame.
+/// The hit of a shape, with the ray seen from its frame.
 template <class T>
 [[gnu::always_inline]] inline SureHit sure_hit(const Shape<T>& shape, const Vec2d& origin, const Vec2d& direction) {
   if (const auto* circle = shape.template as<Circle<T>>())

@@ -1,8 +1,9 @@
-// How long an axis that turns with one of two polygons keeps them apart.
+// The time for which an axis that turns with one of two polygons keeps them apart.
 //
-// Guarantee: no later than they may come as close as is asked. The axis goes with a body, so that this body's own reach
-// along it does not change, and each vertex of the other one has a height that is known to second order: steps between
-// the times that are looked at converge quadratically where bounds by the outermost point (Mirtich 1996) do linearly.
+// Guarantee: the time is no later than the first at which they may come too close. The axis goes with a body, so that
+// this body's own reach along it does not change, and each vertex of the other one has a height that is known to second
+// order: steps between the times that are looked at converge quadratically where bounds by the outermost point (Mirtich
+// 1996) do linearly.
 #pragma once
 
 #include "plane/mover.hpp"
@@ -27,7 +28,7 @@ struct AxisBound {
   bool stays_above(double way, double t) const { return way + (rate - bend * t) * t > 0; }
 };
 
-/// What a point does to the separation along the axis `n` by turning at `speed` about the origin, up to the time
+/// The change of the separation along the axis `n` by a point that turns at `speed` about the origin, up to the time
 /// `until`. By Taylor: cos x >= 1 - x²/2 and |sin x - x| <= |x|³/6.
 inline AxisBound turned_point(const Vec2d& point, const Vec2d& n, double speed, double until) {
   const double height = dot(n, point), beside = cross(point, n), squared = speed * speed;
@@ -35,8 +36,8 @@ inline AxisBound turned_point(const Vec2d& point, const Vec2d& n, double speed, 
           squared * (greatest(height, 0.0) / 2 + std::abs(beside) * std::abs(speed) * until * (1.0 / 6))};
 }
 
-/// What the ways of the bodies' origins do to it, where these are `between` and move by `velocity` against each other
-/// while the axis turns at `speed`, by no more than a radian until then.
+/// The change of the separation by the ways of the bodies' origins, where these are `between` and move by `velocity`
+/// against each other while the axis turns at `speed`, by no more than a radian until then.
 inline AxisBound moved_origins(const Vec2d& between, const Vec2d& velocity, const Vec2d& n, double speed,
                                double until) {
   const AxisBound turned = turned_point(between, n, -speed, until);
@@ -44,8 +45,8 @@ inline AxisBound moved_origins(const Vec2d& between, const Vec2d& velocity, cons
   return {rate + turned.rate, turned.bend + speed * speed * greatest(rate, 0.0) * until / 2 + greatest(-aside, 0.0)};
 }
 
-/// The time up to which two polygons surely stay further apart than is asked, `until` at most: at the time `t` their
-/// separation along the unit vector `n`, from X to Y, is larger than that by `way`. `pose_y`: Y's at t. `nearest`: a
+/// The time up to which two polygons surely stay far enough apart, `until` at most: at the time `t` their separation
+/// along the unit vector `n`, from X to Y, is larger than it has to be by `way`. `pose_y`: Y's at t. `nearest`: a
 /// vertex of Y that is likely to come too close first, so that the others need but a glance.
 template <class T>
 ApartUntil apart_along(const Mover<T>& x, const Mover<T>& y, const Pose2d& pose_y, const Vec2d& n,

@@ -1,6 +1,6 @@
 // Rotations brought to unit length, as every query does with those of its poses.
 //
-// Guarantee: within rounding of doubles what `normalized` gives.
+// Guarantee: the results of `normalized`, within rounding of doubles.
 #pragma once
 
 #include <cmath>
@@ -9,12 +9,12 @@
 
 namespace graze::plane {
 
-/// How far the square of a rotation's length may be from 1 for the series to have all digits of a double: the next
-/// term is 5/16 of the cube of that, less than a sixth of the rounding of 1. Rotations rounded to floats are within it.
+/// The largest difference from 1 of the square of a rotation's length for which the series has all digits of a double:
+/// the next term is 5/16 of its cube, less than a sixth of the rounding of 1. Rotations rounded to floats qualify.
 inline constexpr double nearly_unit = 0x1p-18;
 
 /// The rotation at unit length: where it nearly has that, by the series of the inverse square root, which takes neither
-/// root nor division. Inlined, as are the queries' other first steps: a vector written by a call is read back in
+/// root nor division. Inlined, as are the queries' other first steps: a vector that a call writes is read back in
 /// another size than it was written in, for which processors wait.
 [[gnu::always_inline]] inline Rot2d at_unit(const Rot2d& q) {
   const double excess = q.cosine * q.cosine + q.sine * q.sine - 1;

@@ -1,4 +1,4 @@
-// What stands above a half-plane: the vertex that lies lowest.
+// Cores above a half-plane: the vertex that lies lowest.
 #pragma once
 
 #include "plane/pairs/box_point.hpp"

@@ -1,8 +1,8 @@
-// What the query of a special pair writes for the lanes of S, from columns of numbers to columns of numbers. Only for
+// The queries of a special pair for the lanes of S, from columns of numbers to columns of numbers. Only for
 // `*.kernel.cpp`.
 //
-// Guarantee: everything is inlined or lives in the namespace of the level. N pairs stand side by side; of one alone
-// all lanes repeat the same numbers.
+// Guarantee: everything is inlined or lives in the namespace of the level. N pairs stand side by side; a pair alone is
+// repeated in all lanes.
 #pragma once
 
 #include "plane/pairs/lane_sides.hpp"
@@ -52,7 +52,7 @@ template <class Pair, class S, std::size_t N>
 [[gnu::always_inline]] inline LanePair<S> pair_at(const PairColumns<N>& columns, std::size_t first) {
   return LanePair<S>(shape<S>(columns.a, first), shape<S>(columns.b, first), upright<Pair>);
 }
-/// Whether the lanes' rotations, those that matter, are such that special pairs answer.
+/// Whether the rotations that matter to a pair are so nearly of unit length that special pairs answer, lane by lane.
 template <class Pair, class S>
 [[gnu::always_inline]] inline auto known(const LanePair<S>& pair) {
   if constexpr (upright<Pair>)

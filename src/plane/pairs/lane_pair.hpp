@@ -1,8 +1,8 @@
 // Two convex shapes in place, one pair a lane, as the special pairs of the plane see them.
 //
 // Guarantee: everything in this folder is written over S, the lanes of doubles, in + - * / sqrt, comparisons and
-// selections; so a pair has the same bits alone and beside others, at every level of the instruction set. What branches
-// there are ask whether any lane needs a part, and change no lane's answer.
+// selections; so a pair has the same bits alone and beside others, at every level of the instruction set. The few
+// branches skip a part that no lane needs, and change no lane's answer.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ enum class LaneCore : std::uint8_t {
   half_plane,  ///< y <= 0
 };
 
-/// How many numbers a shape in place is loaded as: its pose (translation, cosine, sine), its size (the ends of a
+/// The numbers that a shape in place is loaded as: its pose (translation, cosine, sine), its size (the ends of a
 /// segment, half the edges of a box) and its rounding radius.
 inline constexpr std::size_t pose_columns = 4, size_columns = 4, shape_columns = pose_columns + size_columns + 1;
 
@@ -35,7 +35,7 @@ struct LaneShape {
   S radius;
 };
 
-/// How far the square of a rotation's length may be from 1 for a special pair to take it.
+/// The largest difference from 1 of the square of a rotation's length for a special pair to take it.
 inline constexpr double longest_rotation = 1e-4;
 
 /// The rotation at unit length up to the third power of `longest_rotation`: the series of the inverse square root.
@@ -49,7 +49,7 @@ template <class S>
   return abs(q.cosine * q.cosine + q.sine * q.sine - S(1)) <= S(longest_rotation);
 }
 
-/// A pair seen from A. Where both cores are points, from an upright frame about A: their rotations do not matter.
+/// A pair seen from A. Two points are seen from an upright frame about A: their rotations do not matter.
 template <class S>
 struct LanePair {
   LaneShape<S> a, b;

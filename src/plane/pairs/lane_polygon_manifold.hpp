@@ -58,7 +58,7 @@ struct LaneFacingEdge {
   }
 };
 
-/// The straight side of a polygon, seen along a normal, as `PolygonSide`.
+/// The straight side of a polygon, seen along a normal, lane by lane like `PolygonSide`.
 template <class S>
 struct LanePolygonSide {
   S low_across, high_across, low_height, high_height, radius, facing, leaning, slope, low_vertex, high_vertex;
@@ -90,7 +90,8 @@ struct LanePolygonSide {
   }
 };
 
-/// The points up to `margin` apart; `nearest` are the nearest ones, and told whether these points are known as well.
+/// The points up to `margin` apart. `nearest`: the nearest points; its `known` is narrowed to the lanes whose points of
+/// contact are known as well.
 template <class S, std::size_t N>
 [[gnu::always_inline]] inline LaneManifold<S> lane_polygon_manifold(const LanePolygons<S, N>& pair,
                                                                     LanePolygonNearest<S>& nearest, const S& margin) {

@@ -13,8 +13,8 @@ struct LanePolygonNearest {
   decltype(S(0) < S(0)) known;
 };
 
-/// Which edge of the difference the origin lies least deep below, or furthest above: found without roots, by squares of
-/// heights with their signs. What comes near is told by the next one.
+/// The edge of the difference that the origin lies least deep below, or furthest above: found without roots, by squares
+/// of heights with their signs. The runner-up is kept too, by which a choice within rounding is recognised.
 template <class S>
 struct LaneLeastEdge {
   using Mask = decltype(S(0) < S(0));
@@ -38,7 +38,7 @@ struct LaneLeastEdge {
     edge = select(better, e, edge);
     vertex = select(better, from, vertex);
   }
-  /// The height of the origin below the edge that comes next.
+  /// The height of the origin below the runner-up.
   [[gnu::always_inline]] S next_height() const {
     const S root = sqrt(abs(next) / next_length);
     return select(next < S(0), -root, root);
@@ -96,9 +96,9 @@ struct LaneDeepest {
   }
 };
 
-/// Moves to the vertex at which the walk comes to an edge: where two are equally deep up to rounding the order of
-/// directions says which, an edge of A before one of B of the same direction. Lanes that are more than a step off are
-/// not known.
+/// Moves to the vertex at which the walk comes to an edge: of two that are equally deep up to rounding the order of
+/// directions picks one, with an edge of A before one of B of the same direction. Lanes that are more than a step off
+/// are not known.
 template <class S, std::size_t N>
 [[gnu::always_inline]] inline void settle_deepest(const LanePolygons<S, N>& pair, const decltype(S(0) < S(0))& of_a,
                                                   const Vec2<S>& e, const S& count, LaneDeepest<S>& deepest,
@@ -151,7 +151,7 @@ template <class S>
   return select(t <= S(0.5), start + edge * t, end - edge * (S(1) - t));
 }
 
-/// An edge and its point nearest to the origin, as `NearestEdge`.
+/// An edge and its point nearest to the origin, lane by lane like `NearestEdge`.
 template <class S>
 struct LaneNearestEdge {
   using Mask = decltype(S(0) < S(0));
@@ -262,7 +262,7 @@ template <class S, std::size_t N>
   out.known = pair.known & least.regular;
   const LaneEdge<S> edge = placed_edge(pair, least, out.known);
   const S height = cross(edge.start, edge.edge) / length(edge.edge);
-  // Heights of both ways to compute them are products of sizes, some eight operations each half a unit off.
+  // A height can be computed in two ways, both products of sizes: some eight operations, each half a unit off.
   const S slack = S(64 * std::numeric_limits<double>::epsilon()) * pair.size;
   out.known = out.known & (least.next_height() > height + slack);
   const auto outside = height < S(0);

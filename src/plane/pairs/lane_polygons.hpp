@@ -27,7 +27,7 @@ struct LaneVertices {
   }
 };
 
-/// An edge of the difference, as `DifferenceEdge`.
+/// An edge of the difference, lane by lane like `DifferenceEdge`.
 template <class S>
 struct LaneEdge {
   using Mask = decltype(S(0) < S(0));

@@ -1,4 +1,4 @@
-// Which shapes the special pairs of the plane take, and as what core.
+// The shapes that the special pairs of the plane take, and the core of each.
 //
 // Guarantee: the table of kinds is derived from the list of shapes and the list of pairs: neither is written again.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace graze::plane {
 
-/// The core that a kind of shape is for the special pairs; none for those that no entry takes.
+/// The core that represents a kind of shape in the special pairs; none for kinds that no entry takes.
 template <class C>
 inline constexpr std::optional<LaneCore> lane_core{};
 template <class T>
@@ -53,7 +53,7 @@ double size_numbers(const HalfPlane<T>&, double*) {
   return 0;
 }
 
-/// Whether a shape of a kind that has a core is one that the special pairs take.
+/// Whether the special pairs take a shape of a kind that has a core: all but tapered capsules.
 template <class C>
 bool accepted(const C&) {
   return true;
@@ -63,7 +63,7 @@ bool accepted(const Capsule<T>& c) {
   return !c.tapered();
 }
 
-/// For two kinds of shapes the entry of the list that answers for them.
+/// The entry of the list that takes two kinds of shapes.
 template <class T>
 class KindTable {
  public:

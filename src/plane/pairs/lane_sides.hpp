@@ -8,7 +8,8 @@
 
 namespace graze::plane {
 
-/// How far, as the cosine, a side may lean from the normal and still be laid over the other's: 60 degrees.
+/// The least cosine between the normal of a side and that of the contact for the side to be clipped by the other's: 60
+/// degrees.
 inline constexpr double least_facing_side = 0.5;
 
 /// A straight side seen along a normal: its ends by their place across it and their height along it.
@@ -130,7 +131,7 @@ struct LaneManifold {
   Mask has_first, has_second;
 };
 
-/// How many points two cores can have.
+/// The most points of contact of two cores.
 template <LaneCore a, LaneCore b>
 inline constexpr int most_points = a == LaneCore::point || b == LaneCore::point ? 1 : 2;
 
@@ -139,7 +140,7 @@ template <class S>
   return of_a * S(65536) + of_b;
 }
 
-/// The point where the shapes are nearest. Of two discs its weight goes by their radii.
+/// The point where the shapes are nearest. Between two discs it is weighted by their radii.
 template <bool discs, class S>
 [[gnu::always_inline]] inline LanePoint<S> nearest_point(const LanePair<S>& pair, const LaneNearest<S>& found) {
   LanePoint<S> point;

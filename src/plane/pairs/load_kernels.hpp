@@ -1,6 +1,6 @@
 // Shapes and poses of the plane brought from where they stand into columns of doubles.
 //
-// Guarantee: the numbers that one pair alone is loaded as; nothing behind a shape or a pose is read.
+// Guarantee: the numbers are those that a pair alone is loaded as; nothing behind a shape or a pose is read.
 #pragma once
 
 #include "plane/pairs/lane_shape.hpp"
@@ -13,7 +13,7 @@ namespace plane {
 /// Columns of a block of shapes in place.
 using BlockColumns = double[shape_columns][block_pairs];
 
-/// Reads `count` rows, up to the next full register: rows behind `count` repeat the last.
+/// Kernels that read `count` rows, up to the next full register: rows behind `count` repeat the last.
 template <class T>
 struct LoadKernels {
   void (*poses)(const Pose2<T>* const* rows, std::size_t count, BlockColumns& to);
@@ -21,7 +21,7 @@ struct LoadKernels {
   std::array<void (*)(const void* const* rows, std::size_t count, BlockColumns& to), Shape<T>::count> shapes;
 };
 
-/// Those of both scalars.
+/// The kernels for both scalars.
 struct AllLoadKernels {
   LoadKernels<float> of_float;
   LoadKernels<double> of_double;

@@ -1,6 +1,6 @@
-// What kernels find of a pair, as answers in the order in which its shapes stand.
+// Answers of kernels for one pair, in the order in which its shapes stand.
 //
-// Guarantee: of a pair that was taken the other way round the answer is mirrored, and nothing is computed on it.
+// Guarantee: the answer of a pair that was taken the other way round is mirrored, and no distance is computed anew.
 #pragma once
 
 #include "graze/plane/query.hpp"

@@ -1,6 +1,6 @@
 // The special pairs of the plane as kernels: a block of pairs of one entry at a time, or one pair.
 //
-// Guarantee: in both the bits of a pair are the same, at every level of the instruction set.
+// Guarantee: a pair has the same bits in both, at every level of the instruction set.
 #pragma once
 
 #include "plane/pairs/pair_list.hpp"
@@ -19,7 +19,7 @@ struct PairColumns {
   alignas(64) double a[shape_columns][N], b[shape_columns][N];
 };
 
-/// What is found of N pairs, in the world. Numbers that tell yes or no are 1 or 0.
+/// Distances of N pairs, in the world. `known` is 1 or 0, as are all flags in columns.
 template <std::size_t N>
 struct DistanceColumns {
   alignas(64) double known[N];
@@ -47,7 +47,7 @@ struct AloneKernels {
   void (*contacts)(const PairColumns<1>&, double margin, ContactColumns<1>&);
 };
 
-/// And for a block of pairs. Of contacts each pair has a margin of its own.
+/// The kernels of one entry of the list, for a block of pairs. Each pair has a margin of its own for its contacts.
 struct PairKernels {
   void (*overlaps)(const PairColumns<block_pairs>&, std::size_t count, OverlapColumns<block_pairs>&);
   void (*distances)(const PairColumns<block_pairs>&, std::size_t count, DistanceColumns<block_pairs>&);

@@ -1,7 +1,7 @@
 // The pairs of a batch, gathered by the entry of the list that answers for them.
 //
 // Guarantee: visits every pair once, in blocks of one entry and two kinds of shapes, or of polygons of few vertices,
-// loaded as columns; those that no kernel takes one by one.
+// loaded as columns; pairs that no kernel takes are visited one by one.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct PairQueue {
   const Pose2<T>*pose_a[block_pairs], *pose_b[block_pairs];
   T rounding_a[block_pairs], rounding_b[block_pairs];
   std::uint32_t place[block_pairs];
-  bool rounded = false;  ///< whether any of them is
+  bool rounded = false;  ///< whether any shape has a rounding
 };
 
 /// A block of pairs of one entry, or of polygons without one.
@@ -32,7 +32,7 @@ struct PairBlock {
   const PairColumns<block_pairs>* columns;
   const PolygonBlock* polygons;
 
-  /// Of an entry's pairs alone.
+  /// The overlaps of an entry's pairs; polygons have no kernel for them.
   void overlaps(OverlapColumns<block_pairs>& found) const { kernels->overlaps(*columns, count, found); }
   void distances(DistanceColumns<block_pairs>& found) const {
     polygons ? polygon_kernels().distances(*polygons, count, found) : kernels->distances(*columns, count, found);
@@ -50,8 +50,8 @@ class PairQueues {
       : kernels_(GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)()),
         load_(GRAZE_KERNEL(chosen_isa(), plane_load_kernels)().template of<T>()) {}
 
-  /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`; polygons stand in blocks where
-  /// `polygons` says so.
+  /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`. With `polygons`, polygons without an
+  /// entry stand in blocks too.
   template <class Block, class Alone>
   void visit(const Batch<T>& batch, std::size_t begin, std::size_t end, bool polygons, const Block& block,
              const Alone& alone) {
@@ -102,7 +102,7 @@ class PairQueues {
       static_cast<std::size_t>(std::count_if(slot_of.begin(), slot_of.end(), [](std::size_t s) { return s < kinds; }));
   static constexpr std::size_t queue_of(std::size_t a, std::size_t b) { return slot_of[a] * slots + slot_of[b]; }
 
-  /// Of the kinds that have a core only capsules may be such that no entry takes them.
+  /// Whether an entry takes a body of a kind that has a core; only capsules may be refused.
   static bool accepts(const Bodies<T>& bodies, std::size_t i, std::size_t kind) {
     return kind != detail::kind_of<Capsule<T>, T>() || accepted(*static_cast<const Capsule<T>*>(bodies.concrete(i)));
   }
@@ -148,7 +148,7 @@ class PairQueues {
     block(PairBlock{count, polygons_.place(), false, nullptr, nullptr, &polygons_.load(load_)});
   }
 
-  /// As many lanes as a register of any machine has.
+  /// The most lanes of a register on any machine.
   static constexpr std::size_t most_lanes = 16;
 
   const PairKernels* const kernels_;

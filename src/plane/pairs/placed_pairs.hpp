@@ -1,6 +1,6 @@
 // Contacts of many pairs of the same two kinds of shapes, given by where their shapes and poses stand.
 //
-// Guarantee: for each pair what `contacts` answers, bit for bit.
+// Guarantee: each pair has the answer of `contacts`, bit for bit.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,8 @@ PairKinds pair_kinds(std::size_t a, std::size_t b) {
   return entry && entry->turned ? PairKinds{b, a, entry} : PairKinds{a, b, entry};
 }
 
-/// The shape as kernels take it, or null where none does: for those with a rounding too, which are asked about alone.
+/// The concrete shape as kernels take it, or null where none does, as for a shape with a rounding: its pairs are
+/// answered one by one.
 template <class T>
 const void* concrete_for_lanes(const Shape<T>& shape) {
   if (shape.rounding() != T(0)) return nullptr;
@@ -44,7 +45,7 @@ const void* concrete_for_lanes(const Shape<T>& shape) {
   });
 }
 
-/// Tells a sink of each pair: `unknown(i)` where no kernel answers, `apart(i)`, or `row(i, overlap, row, filled)` with
+/// Calls a sink for each pair: `unknown(i)` where no kernel answers, `apart(i)`, or `row(i, overlap, row, filled)` with
 /// a `ContactRow` and a bit for each of its points that is there.
 template <class T, class Sink>
 void visit_contacts(const PairKinds& kinds, const PlacedPair<T>* pairs, std::size_t count, Sink& sink) {

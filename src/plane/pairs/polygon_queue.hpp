@@ -1,5 +1,5 @@
-// Pairs of polygons that wait for a block to fill: those without an entry in the pair list, of which one at least has
-// an inside and neither more vertices than the kernels take.
+// Pairs of polygons that wait for a block to fill: pairs without an entry in the pair list, of which one at least has
+// an inside and neither has more vertices than the kernels take.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,8 @@ inline const PolygonKernels& polygon_kernels() {
 template <class T>
 class QueuedPolygons {
  public:
-  /// Takes the i-th body as the k-th of the queue and returns how many vertices it has, or zero where it is none such.
+  /// Takes the i-th body as the k-th of the queue and returns its number of vertices, or zero if the kernels do not
+  /// take it.
   std::size_t take(const Bodies<T>& bodies, std::size_t i, std::size_t k) {
     const std::size_t count = take_vertices(bodies.kind(i), bodies.concrete(i), k);
     if (count == 0) return 0;
@@ -30,7 +31,7 @@ class QueuedPolygons {
     poses_[k] = &bodies.pose(i);
     return count;
   }
-  /// Writes the columns of the first `count`; up to a full register the last is repeated.
+  /// Writes the columns of the first `count` polygons; up to a full register the last one is repeated.
   void load(std::size_t count, const LoadKernels<T>& kernels, PolygonColumns& to) {
     for (std::size_t k = count; k % most_lanes != 0; ++k) {
       rows_[k] = rows_[count - 1], poses_[k] = poses_[count - 1];
@@ -90,7 +91,7 @@ class QueuedPolygons {
 template <class T>
 class PolygonQueue {
  public:
-  /// Takes the pair, if it is such.
+  /// Takes a pair of polygons that the kernels take, one of them with an inside, and returns whether the i-th is such.
   bool take(const Batch<T>& batch, std::size_t i) {
     const IdPair p = batch[i];
     const std::size_t a = a_.take(batch.a(), p.a, count_), b = a == 0 ? 0 : b_.take(batch.b(), p.b, count_);
@@ -100,7 +101,7 @@ class PolygonQueue {
   }
   std::size_t count() const { return count_; }
   const std::uint32_t* place() const { return place_; }
-  /// The columns of all that wait; none do afterwards.
+  /// The columns of all pairs that wait. The queue is empty afterwards.
   const PolygonBlock& load(const LoadKernels<T>& kernels) {
     a_.load(count_, kernels, block_.a);
     b_.load(count_, kernels, block_.b);

@@ -77,7 +77,7 @@ void contacts(const PolygonBlock& block, std::size_t count, const double (&margi
   with_vertices(block, [&](auto n) { contacts_of<decltype(n)::value>(block, count, margins, out); });
 }
 
-/// Vertices two by two, and behind the last of a polygon its first.
+/// Loads vertices two by two, and behind the last one of a polygon its first.
 template <class T>
 [[gnu::flatten]] void load_vertices(const Vec2<T>* const* rows, std::size_t count, PolygonColumns& to) {
   static_assert(sizeof(Vec2<T>) == 2 * sizeof(T));

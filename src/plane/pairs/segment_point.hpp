@@ -18,7 +18,7 @@ struct LaneSegment {
   [[gnu::always_inline]] LaneSegment(const LaneSegment& own, const Pose2<S>& pose)
       : center(transform(pose, own.center)), half(rotate(pose.rotation, own.half)), squared(own.squared) {}
 
-  /// From -1 to 1; 0 of a segment that is a point.
+  /// The parameter of the point of the segment nearest to another, from -1 to 1; 0 if the segment is a point.
   [[gnu::always_inline]] S parameter(const Vec2<S>& point) const {
     const auto extended = squared > S(0);
     return select(extended, clamped(dot(point - center, half) / select(extended, squared, S(1)), S(1)), S(0));
@@ -49,7 +49,7 @@ struct SegmentPoint {
     const S inverse_distance = one / select(apart, out.distance, one);
     out.normal = between * inverse_distance;
     if (!all(apart)) {
-      // On the segment: to the side where rounding leaves the point.
+      // A centre on the segment has the normal to the side where rounding leaves it.
       const auto extended = segment.squared > zero;
       const Vec2<S> across = left(segment.half) / sqrt(select(extended, segment.squared, one));
       const S height = dot(across, between);

@@ -1,7 +1,7 @@
 // Capsules and segments against each other: an end of one is nearest to the other, or they cross.
 //
-// Guarantee: segments that cross are as deep as the shortest translation says that separates them, which is along the
-// normal of one of them.
+// Guarantee: segments that cross are as deep as the shortest translation that separates them is long, which is along
+// the normal of one of them.
 #pragma once
 
 #include "plane/pairs/segment_point.hpp"
@@ -52,7 +52,7 @@ struct SegmentSegment {
                                             const S& u) {
     return length_squared(of_b.at(u) - of_a.at(t));
   }
-  /// Where segments cross or touch: along the normal of the one that gives the larger gap.
+  /// Fills the answer of segments that cross or touch: along the normal of the one that gives the larger gap.
   template <class M, class S>
   [[gnu::always_inline]] static void take_axis(const LaneSegment<S>& of_a, const LaneSegment<S>& of_b, const M& on_axis,
                                                const M& crossing, const S& turn, const S& off_a, const S& off_b,

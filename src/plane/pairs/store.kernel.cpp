@@ -18,7 +18,7 @@ template <class V, std::size_t... I>
 [[gnu::always_inline]] inline Floats joined(const V& low, const V& high, std::index_sequence<I...>) {
   return Floats::of(__builtin_shufflevector(low, high, I...));
 }
-/// As many numbers of a column as a register of floats holds, rounded.
+/// Numbers of a column rounded to floats, as many as a register of floats holds.
 [[gnu::always_inline]] inline Floats rounded(const double* column) {
   typedef float Half __attribute__((vector_size(half_lanes * sizeof(float))));
   const Half low = __builtin_convertvector(Lanes<double>::load(column).v, Half),
@@ -32,8 +32,8 @@ template <class V, std::size_t... I>
   return Floats::of(reinterpret_cast<Floats::Vector>(
       __builtin_shufflevector(reinterpret_cast<Words>(first), reinterpret_cast<Words>(second), (2 * I)...)));
 }
-/// Whole numbers below 2^32 as integers, in the place of floats; their halves exchanged where that is wanted. Added
-/// to 2^52 a whole number is what the last bits of the sum are.
+/// Whole numbers below 2^32 as integers, in the place of floats; their halves exchanged where that is wanted. The last
+/// bits of the sum of 2^52 and a whole number are that number.
 [[gnu::always_inline]] inline Floats whole(const double* column, bool turned) {
   const auto bits = [&](const double* from) __attribute__((always_inline)) {
     const Lanes<double> sum = Lanes<double>::load(from) + Lanes<double>(0x1p52);

@@ -1,4 +1,4 @@
-// What kernels find of a block of pairs, turned from columns of doubles into rows of answers.
+// Answers of kernels for a block of pairs, turned from columns of doubles into rows.
 //
 // Guarantee: the answers of `pair_answers.hpp`, bit for bit.
 #pragma once
@@ -19,14 +19,14 @@ struct ContactRow {
   ContactPoint<T> points[2];
 };
 
-/// Both write `count` rows, up to the next full register; `turned` says whether A and B stand the other way round.
+/// Kernels that write `count` rows, up to the next full register; `turned`: A and B stand the other way round.
 template <class T>
 struct StoreKernels {
   void (*distances)(const DistanceColumns<block_pairs>& found, std::size_t count, bool turned, Distance<T>* rows);
   void (*contacts)(const ContactColumns<block_pairs>& found, std::size_t count, bool turned, ContactRow<T>* rows);
 };
 
-/// Those of both scalars.
+/// The kernels for both scalars.
 struct AllStoreKernels {
   StoreKernels<float> of_float;
   StoreKernels<double> of_double;
