@@ -81,7 +81,7 @@ template <class T>
 std::optional<double> discs_meet(const Mover<T>& a, const Mover<T>& b, double near) {
   const Vec2d between = b.body.translation - a.body.translation, velocity = b.velocity.linear - a.velocity.linear;
   const double radius = a.reach + b.reach + near / 2, speed = length(velocity), closing = -dot(between, velocity);
-  // As a product of sums: the difference of squares would lose digits far away.
+  // A product of sums: the difference of squares would lose digits far away.
   const double reached = speed * radius, missed = std::abs(cross(between, velocity));
   if (!(closing > 0) || missed > reached) return {};
   const double way = length_squared(between) - radius * radius;

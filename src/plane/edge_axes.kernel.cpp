@@ -174,7 +174,7 @@ template <std::uint32_t registers>
   return count > 1 && (edges & ((std::uint32_t{1} << count) - 1)) != 0;
 }
 
-/// Both polygons in A's frame, and the heights below the edges of both.
+/// Two polygons in A's frame, and the heights below the edges of each.
 template <std::uint32_t registers>
 struct Measured {
   Columns<registers> of_a, of_b;

@@ -125,7 +125,7 @@ std::vector<std::vector<std::uint32_t>> convex_pieces(std::span<const Vec2d> out
     return r;
   };
   for (const auto& [l, r] : cuts) {
-    // Both ends of the cut have to be convex without it. Two rings of a simple polygon share no more than one cut.
+    // The ends of the cut have to be convex without it. Two rings of a simple polygon share no more than one cut.
     if (side(outline[edges[edges[l].before].from], outline[edges[l].from], outline[edges[edges[r].after].to]) < 0 ||
         side(outline[edges[edges[r].before].from], outline[edges[l].to], outline[edges[edges[l].after].to]) < 0)
       continue;

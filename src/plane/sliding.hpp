@@ -68,7 +68,7 @@ std::optional<WorldContact> pressing(const Mover<T>& a, const Mover<T>& b, const
     apart = now.gap > near;
   };
   if (!advance(a, b, first.t, duration, size, -deep, near, seen)) {
-    // Where no time is left to get as deep, pieces that press count from the depth D on.
+    // Pieces that press count from the depth D on where no time is left to get as deep.
     const Nearby last = nearby(a, b, duration, size);
     if (!(last.gap < -first.depth - 2 * near) || !approaches(a, b, last.contact)) return {};
   }

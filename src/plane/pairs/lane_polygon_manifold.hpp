@@ -130,7 +130,7 @@ template <class S, std::size_t N>
                      at_high = point(high, a.high_vertex, b.high_vertex);
   const auto has_low = facing & (at_low.distance <= margin);
   out.has_second = facing & (at_high.distance <= margin);
-  // Where both ends of the shared stretch are further away, the nearest points are left.
+  // The nearest points remain where both ends of the shared stretch are further away.
   const auto alone = near & !(has_low | out.has_second);
   out.has_first = alone | has_low;
   out.first = select(alone, out.first, at_low);

@@ -196,7 +196,7 @@ template <LaneCore core_a, LaneCore core_b, class S>
                        at_high = point_between(a, b, n, high, joined_features(a.high_vertex, b.high_vertex));
     const auto has_low = facing & (at_low.distance <= margin);
     out.has_second = facing & (at_high.distance <= margin);
-    // Where both ends of the shared stretch are further away, the nearest points are left.
+    // The nearest points remain where both ends of the shared stretch are further away.
     const auto alone = near & !(has_low | out.has_second);
     out.has_first = alone | has_low;
     out.first = select(alone, out.first, at_low);
