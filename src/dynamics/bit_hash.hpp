@@ -1,4 +1,4 @@
-// One number for the bits of many.
+// A hash of the bits of many numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// The bits of a sequence of numbers as one, the order told apart.
+/// The hash of the bits of a sequence of numbers, on whose order it depends.
 class BitHash {
  public:
   template <class T>

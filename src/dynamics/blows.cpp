@@ -10,7 +10,7 @@ namespace graze {
 
 namespace {
 
-/// How often the points of a manifold are visited at most. Four corners of a face agree to rounding after some forty.
+/// The most visits of the points of a manifold. Four corners of a face agree to rounding after some forty.
 constexpr int most_visits = 200;
 
 /// One point of a manifold while it is struck.
@@ -33,7 +33,8 @@ T inverse_effective_mass(const StruckBody<T, Space>& body, const typename Space:
   return body.mass.mass + dot(turning, body.mass.inertia * turning);
 }
 
-/// Lets the points of one manifold agree on impulses that push, and that reverse what they push.
+/// Adds the impulses on the points of one manifold: none of them pulls, and a point that is pushed leaves at the speed of
+/// its approach times the restitution.
 template <class T, class Space>
 void strike(StruckBody<T, Space>& a, StruckBody<T, Space>& b, const Blow<T, Space>& blow,
             std::span<const typename Space::Vec> points, std::span<T> impulses) {

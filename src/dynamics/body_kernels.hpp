@@ -1,4 +1,4 @@
-// The bodies of an island, and what moves those that can be pushed, as many at a time as there are lanes.
+// The bodies of an island, and the kernels that move those that can be pushed, as many at a time as there are lanes.
 //
 // Guarantee: the same bits whatever the number of lanes.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// What acts on a body besides contacts and joints; over S, a scalar or lanes.
+/// The influences on a body besides contacts and joints; over S, a scalar or lanes.
 template <class S, class Space>
 struct Influences {
   typename Space::Vec acceleration{};
@@ -18,7 +18,7 @@ struct Influences {
   S share = S(1);  ///< of a sub-step's duration that the body has
 };
 
-/// What an island has to know of a body.
+/// A body as its island holds it.
 template <class T, class Space>
 struct IslandBody {
   FreeBodyIn<Space> free{};  ///< as it is now
@@ -43,11 +43,12 @@ struct BodyBlock {
 /// The parts of a sub-step.
 template <class T, class Space>
 struct BodyKernels {
-  /// Velocities with what acts on the bodies by themselves.
+  /// Changes velocities by the influences on each body.
   void (*begin)(const BodyBlock<T, Space>&, const SubStep<T>&);
-  /// Moves bodies as the pass with bias wants them to. The angular momentum of what nothing turned stays bit for bit.
+  /// Moves bodies by the velocities of the pass with bias. A body that nothing turned keeps its
+  /// angular momentum bit for bit.
   void (*move)(const BodyBlock<T, Space>&, const SubStep<T>&);
-  /// Takes over what the pass without bias changed.
+  /// Takes over the changes of the pass without bias.
   void (*end)(const BodyBlock<T, Space>&);
 };
 

@@ -14,7 +14,7 @@ namespace {
 /// Rounds of Jacobi's method: it converges quadratically, and five suffice in double.
 constexpr int most_rounds = 12;
 
-/// How much larger than the sum of two others an inertia may be: what rounding does to a flat plate's.
+/// The part by which an inertia may exceed the sum of the two others, as rounding makes that of a flat plate.
 template <class T>
 constexpr T rounding_of_inertia = T(16) * std::numeric_limits<T>::epsilon();
 
@@ -42,7 +42,7 @@ void check_positive(T value, const std::string& path) {
     validate::fail(path, "a number > 0 with a finite inverse", static_cast<double>(value));
 }
 
-/// What a shape and a density make.
+/// Throws where a shape and a density make no finite positive mass or inertia.
 template <class T>
 void check_finite_positive(T value, const char* path) {
   if (!(value > T(0)) || !std::isfinite(value) || !std::isfinite(T(1) / value))
@@ -66,7 +66,7 @@ void check_inertia(const Vec3<T>& inertia) {
   }
 }
 
-/// What both spaces say alike.
+/// Checks the numbers that both spaces have.
 template <class Dynamics>
 void check_numbers(const Dynamics& dynamics) {
   if (dynamics.mass) check_positive(*dynamics.mass, "mass");

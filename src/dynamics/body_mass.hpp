@@ -1,6 +1,6 @@
-// What a body of a simulation weighs and how it is to turn: from its shape and what was said of it.
+// The mass and inertia of a body of a simulation, from its shape and its `Dynamics`.
 //
-// Guarantee: the principal axes of a tensor that is diagonal are the axes of its frame, bit for bit; of any other they
+// Guarantee: the principal axes of a tensor that is diagonal are the axes of its frame, bit for bit; those of any other
 // are found by Jacobi's rotations, in + - * / and sqrt alone.
 #pragma once
 
@@ -13,13 +13,13 @@ template <class T, class Space>
 struct BodyMass {
   using Inertia = typename Rigid<Space>::PrincipalInertia;
 
-  T mass{}, inverse_mass{};              ///< infinite and zero of what nothing pushes
+  T mass{}, inverse_mass{};              ///< infinite and zero of a body that nothing pushes
   Inertia inertia{}, inverse_inertia{};  ///< about the principal axes
   typename Space::Pose principal{};      ///< centre of mass and principal axes, in the body's frame
 };
 
-/// Throws `InvalidValue` for what is no mass or inertia, and for a shape without volume (in the plane, area) that
-/// needs one.
+/// The mass of a body. Throws `InvalidValue` for a mass or inertia that is none, and for a shape without volume (in the
+/// plane, area) that needs one.
 template <class T>
 BodyMass<T, Space<T>> body_mass(const Shape<T>& shape, const Dynamics<T>& dynamics, bool movable);
 template <class T>

@@ -56,10 +56,10 @@ template <class S>
 [[gnu::always_inline]] inline auto same(const plane::Rot2<S>& a, const plane::Rot2<S>& b) {
   return (a.cosine == b.cosine) & (a.sine == b.sine);
 }
-/// The velocity that moves a body in this sub-step: the mean of that before and after, which is exact under gravity and
-/// sliding friction; but along what it is pressed, and in all directions where that is several or friction holds it,
-/// the one after, which the rows made what they wanted. The mean would make what swings on friction that holds, a wall
-/// that sways, gain energy: with forces of the old place it grows by 1 + (h w)² / 4 a sub-step.
+/// The velocity that moves a body in this sub-step: the mean of those before and after it, which is exact under gravity
+/// and sliding friction. Along the normal that presses the body it is the one after, for which the rows were solved; so
+/// it is in all directions where several normals press or friction holds. The mean would make a wall that sways on
+/// friction gain energy: with forces of the old place it grows by 1 + (h w)² / 4 a sub-step.
 template <class S, class Over>
 [[gnu::always_inline]] inline typename Over::Vec
 moving_velocity(const typename Over::Vec& before, const typename Over::Vec& after, const Pressure<S, Over>& pressure) {
@@ -70,7 +70,7 @@ moving_velocity(const typename Over::Vec& before, const typename Over::Vec& afte
   return select(pressure.kind == S(pressure.everywhere), after, mean);
 }
 
-/// What a change of the angular velocity adds to the angular momentum: nothing where there was none.
+/// The angular momentum that a change of the angular velocity adds: exactly none where there was no change.
 template <class S, class Over>
 [[gnu::always_inline]] inline typename Over::Turning gained(const InertiaIn<Over>& inertia,
                                                             const RowVelocity<S, Over>& before,

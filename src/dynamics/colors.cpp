@@ -8,7 +8,8 @@ namespace graze {
 
 namespace {
 
-/// A box among boxes touches some twelve, and a body of so many pairs that none is left is seldom met.
+/// The number of colours. A box among boxes touches some twelve, and a body with so many pairs that none is left is
+/// rare.
 constexpr std::uint32_t most_colors = 63, without_color = most_colors;
 
 }  // namespace

@@ -2,8 +2,8 @@
 // threads, in any order, with the same bits.
 //
 // Guarantee: a function of the pairs in their order alone: each gets the first colour that neither of its bodies has
-// yet (greedy colouring). What nothing pushes takes no colour. A pair for which no colour is left is put into the last,
-// which is solved in order on one thread.
+// yet (greedy colouring). A body that nothing pushes takes no colour. A pair for which no colour is left is put into
+// the last, which is solved in order on one thread.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class Coloring {
     bool ordered;  ///< of the last colour: pairs that share bodies
   };
 
-  /// `movable[i]` tells of body i whether it can be pushed.
+  /// Colours the pairs. `movable[i]`: whether body i can be pushed.
   void find(std::span<const std::uint8_t> movable, std::span<const IslandLink> pairs);
 
   /// Places among the pairs, colour by colour, and in each in their own order.

@@ -6,7 +6,7 @@ namespace graze {
 
 namespace {
 
-/// So few contacts take less time one by one than across the lanes.
+/// The number of contacts up to which they take less time one by one than across the lanes.
 constexpr std::size_t few = 2;
 
 }  // namespace
@@ -55,7 +55,7 @@ void ContactBundles<T, Space>::build(std::span<const std::uint8_t> movable) {
   lay_out();
 }
 
-/// Bundles of the contacts, which are a chunk.
+/// Adds the bundles of one chunk of contacts.
 template <class T, class Space>
 void ContactBundles<T, Space>::add_chunk(std::span<const std::uint32_t> members,
                                          std::span<const std::uint8_t> movable) {
@@ -89,7 +89,7 @@ void ContactBundles<T, Space>::add_chunk(std::span<const std::uint32_t> members,
   chunks_.push_back(static_cast<std::uint32_t>(bundles_.size()));
 }
 
-/// Memory for the rows, and where the bundles' lanes are, once none is added any more.
+/// Reserves memory for the rows, and sets where the bundles' lanes are, once no bundle is added any more.
 template <class T, class Space>
 void ContactBundles<T, Space>::lay_out() {
   const auto blocks_of = [&](const Bundle& bundle) {

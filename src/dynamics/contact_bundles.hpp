@@ -24,15 +24,15 @@ class ContactBundles {
       : kernels_(&GRAZE_KERNEL(level, contact_kernels)().template of<T, Space>()) {}
 
   void clear();
-  /// The manifolds of a pair, which outlive the step.
+  /// Adds the manifolds of a pair, which outlive the step.
   void add(const TouchingBodies<T, Space>& touching, std::span<const ContactManifold<T, Space>> manifolds);
-  /// Colours and bundles of what was added. `movable[i]` tells of body i whether it can be pushed.
+  /// Colours and bundles the contacts that were added. `movable[i]`: whether body i can be pushed.
   void build(std::span<const std::uint8_t> movable);
 
   bool empty() const { return contacts_.empty(); }
   std::size_t color_count() const { return coloring_.colors().size(); }
   std::size_t point_count() const { return point_count_; }
-  /// Calls `f` with what touches and each of its manifolds, in the order in which they were added.
+  /// Calls `f` with the two bodies and each of their manifolds, in the order in which they were added.
   template <class F>
   void each_manifold(const F& f) const {
     for (const Contact& c : contacts_)
@@ -57,7 +57,7 @@ class ContactBundles {
     std::span<const ContactManifold<T, Space>> found;
     std::uint32_t rows;
   };
-  /// As wide as the widest registers, for which such an alignment is the quickest.
+  /// A block as wide as the widest registers, which are quickest with such an alignment.
   struct alignas(64) Block {
     std::byte bytes[64];
   };
@@ -69,9 +69,9 @@ class ContactBundles {
   std::vector<Contact> contacts_;
   std::vector<IslandLink> links_;
   Coloring coloring_;
-  std::vector<std::uint32_t> order_;  ///< that of the colours, in each of which contacts with few points come first
+  std::vector<std::uint32_t> order_;  ///< by colour, in each of which contacts with few points come first
   std::vector<Color> colors_;
-  std::vector<std::uint32_t> chunks_;  ///< their first bundles, and where the last one ends
+  std::vector<std::uint32_t> chunks_;  ///< first bundle of each, and the end of the last one
   std::vector<Bundle> bundles_;
   std::vector<LanePlaces> places_;
   std::vector<LaneSource<T, Space>> sources_;

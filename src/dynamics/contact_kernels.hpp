@@ -1,7 +1,7 @@
-// What solves contacts across lanes: as many manifolds at a time as a register has numbers, no two of them of the same
-// body that can be pushed; or one alone, by the same code.
+// Kernels that solve contacts across lanes: as many manifolds at a time as a register has numbers, no two of them of
+// the same body that can be pushed; or one alone, by the same code.
 //
-// Guarantee: the same bits whatever the number of lanes, and whoever is in the others.
+// Guarantee: the same bits whatever the number of lanes, and whatever the other lanes hold.
 #pragma once
 
 #include "dynamics/contact_rows.hpp"
@@ -23,7 +23,7 @@ struct LanePlaces {
   std::uint32_t a, b;
 };
 
-/// What a lane's rows are made of.
+/// The bodies and the manifold from which a lane's rows are made.
 template <class T, class Space>
 struct LaneSource {
   const TouchingBodies<T, Space>* touching;
@@ -43,7 +43,7 @@ struct ContactBundle {
   bool roll;                            ///< whether anything resists rolling
 };
 
-/// Kernels of so many lanes.
+/// The kernels for one number of lanes.
 template <class T, class Space>
 struct ContactKernels {
   using Bundle = ContactBundle<T, Space>;
@@ -53,10 +53,10 @@ struct ContactKernels {
   std::uint32_t lanes;
   std::size_t manifold_bytes, row_bytes;
 
-  /// `share` is what part of a point's impulse a sub-step has.
+  /// Sets up the rows. `share`: the part of a point's impulse that a sub-step has.
   void (*prepare)(const Bundle&, const Body* bodies, const Point* points, T share);
   void (*warm_start)(const Bundle&, Body* bodies);
-  /// One pass. That with `bias` notes along what bodies are pressed.
+  /// One pass. With `bias` it records the normals along which bodies are pressed.
   void (*solve)(const Bundle&, Body* bodies, const ContactStep<T>& step, bool bias);
   /// The fastest approach of a point that pushes.
   T (*approach)(const Bundle&, const Body* bodies);

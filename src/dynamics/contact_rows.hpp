@@ -2,9 +2,9 @@
 // (`friction_rows.hpp`). Written once over S, a scalar or lanes, of which each has a manifold of its own.
 //
 // Guarantee: normal impulses push, friction stays in Coulomb's cone of the normal impulses of the same pass, in the
-// passes with and without bias alike. Only + - * / and sqrt; the rows of a manifold are solved in their own order. What
-// a lane gets does not depend on what the others have: where it has fewer rows or rounds than they, rows push nothing,
-// and velocities without negative zeros (`RowVelocity`) stay bit for bit when nothing is added to them.
+// passes with and without bias alike. Only + - * / and sqrt; the rows of a manifold are solved in their own order. The
+// result of a lane does not depend on the others: where it has fewer rows or rounds than they, rows push nothing, and
+// velocities without negative zeros (`RowVelocity`) stay bit for bit when nothing is added to them.
 #pragma once
 
 #include <span>
@@ -14,11 +14,11 @@
 
 namespace graze {
 
-/// What acts between two bodies.
+/// The material of two bodies that touch, and the motion of their surfaces.
 template <class S, class Space>
 struct Touching {
   ContactMaterial<S> material{};
-  typename Space::Vec belt{};  ///< how the surface of B runs over that of A by itself, in world space
+  typename Space::Vec belt{};  ///< velocity of B's surface over A's while both bodies rest, in world space
   S size{};                    ///< the smaller of the two bodies
 };
 
@@ -29,7 +29,7 @@ struct FoundPoint {
   S distance{};
 };
 
-/// What the rows of a manifold have to know of a body.
+/// The part of a body from which the rows of a manifold are made.
 template <class S, class Space>
 struct RowBody {
   typename Space::Vec first_center{};
@@ -51,13 +51,14 @@ struct ManifoldRows {
   Touching<S, Space> touching{};
   FrictionRows<S, Space> friction{};
 
-  /// The rows of the points, of which there are `count`: others push nothing. `points[i]` is a `FoundPoint` for each
-  /// row, `share` what part of a point's impulse a sub-step has.
+  /// Sets up the rows of the first `count` points; others push nothing. `points[i]` is a `FoundPoint` for each row,
+  /// `share` the part of a point's impulse that a sub-step has.
   template <class Points>
   void prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points, const S& count, T share,
                std::span<Row> rows);
   void warm_start(std::span<const Row> rows, Bodies& bodies) const;
-  /// One pass. With `bias` depth is recovered, without velocities alone count. Tells whether friction is at its limit.
+  /// One pass. With `bias` depth is recovered, without velocities alone count. Returns whether
+  /// friction is at its limit.
   Mask solve(std::span<Row> rows, const ContactStep<T>& step, bool bias, Bodies& bodies);
   /// Whether any point pushes.
   Mask presses(std::span<const Row> rows) const;
@@ -69,11 +70,11 @@ struct ManifoldRows {
   void store(std::span<const Row> rows, T times, const F& write) const;
 
  private:
-  /// A point that bears nothing yet, and comes closer by this part of the smaller body's size in a sub-step, is stopped
-  /// by a rigid row: a spring would leave a part of the speed, with which what is fast goes through.
+  /// The part of the smaller body's size by which a point that bears nothing yet has to come closer in a sub-step to be
+  /// stopped by a rigid row: a spring would leave a part of the speed, at which fast bodies go through others.
   static constexpr T blow = T(0.005);
-  /// How often a manifold that slides is solved in a pass: friction at its limit loads the points otherwise, and their
-  /// impulses are its limit; a few rounds agree.
+  /// The rounds of a pass for a manifold that slides: friction at its limit changes the loads of the points, and their
+  /// impulses set its limit; a few rounds agree.
   static constexpr int sliding_rounds = 2;
 
   void set_pressure_center(std::span<Row> rows, const S& count, const S& loaded, Vec& arm_a, Vec& arm_b) const;
@@ -84,7 +85,7 @@ struct ManifoldRows {
   }
 };
 
-/// Where the pressure of the points acts, by the impulses of the last step; of a contact that is new by how much
+/// Sets the centre of pressure of the points, weighted by the impulses of the last step; in a new contact by how much
 /// nearer each point is than the furthest, and a thousandth of the size more, so that a face has it in its middle.
 template <class S, class Space>
 void ManifoldRows<S, Space>::set_pressure_center(std::span<Row> rows, const S& count, const S& loaded, Vec& arm_a,
@@ -162,8 +163,8 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
   const S zero(T(0)), one(T(1)), h(step.time.h);
   const S& size = touching.size;
   const S fastest_push = step.gravity > T(0) ? sqrt(S(step.gravity) * size) : size / S(T(20) * step.time.step);
-  // How a point's two material points moved against each other along the normal since it was found: the turning of both
-  // is moved to the normal, which all points share.
+  // The motion of a point's two material points against each other along the normal since it was found: in place of
+  // both arms the normal is turned, which all points share.
   const S moved = dot(bodies.place_b.moved - bodies.place_a.moved, normal);
   const Vec turned_a = turned_back_by(bodies.place_a.turned, normal);
   const Vec turned_b = turned_back_by(bodies.place_b.turned, normal);
@@ -192,7 +193,7 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
 template <class S, class Space>
 auto ManifoldRows<S, Space>::solve(std::span<Row> rows, const ContactStep<T>& step, bool bias, Bodies& bodies) -> Mask {
   Mask slides = S(T(0)) <= S(T(0));
-  // A body that is put down slips in the sub-steps until its weight rests on the contact. That does not make it slide:
+  // A body that is put down slips in the sub-steps until its weight rests on the contact. Such slipping is not sliding:
   // up to the speed that gravity gives in a step static friction stops it, or it would never be stopped where the
   // dynamic one is too weak.
   const S slow(step.gravity * step.time.step);

@@ -49,7 +49,7 @@ class BundleLanes {
     return {gathered<S, typename Over::Vec>(center), gathered<S, InverseMassIn<Over>>(mass)};
   }
 
-  /// Writes what rows changed to the bodies that can be pushed.
+  /// Writes the velocities that rows changed to the bodies that can be pushed.
   [[gnu::always_inline]] void store(const Bodies& changed, Body* bodies) const {
     store_one(changed.a, &LanePlaces::a, bundle_.pushed_a, bodies);
     store_one(changed.b, &LanePlaces::b, bundle_.pushed_b, bodies);
@@ -64,7 +64,7 @@ class BundleLanes {
   [[gnu::always_inline]] const Body& at(std::uint32_t LanePlaces::*which, std::size_t lane) const {
     return bodies_[bundle_.places[lane].*which];
   }
-  /// A sum with zero is no negative zero.
+  /// The velocities of one body of each lane. The sum with zero makes a negative zero positive.
   [[gnu::always_inline]] RowVelocity<S, Over> velocity(std::uint32_t LanePlaces::*which) const {
     static_assert(sizeof(RowVelocity<T, Space>) == offsetof(Body, moved));
     const auto row = [&](std::size_t lane) __attribute__((always_inline)) { return &at(which, lane).linear; };

@@ -1,6 +1,6 @@
-// How a body turns that nothing turns: the steps of rotation of `free_motion.hpp`, over S, a scalar or lanes.
+// The turning of a body on which no torque acts: the steps of rotation of `free_motion.hpp`, over S, a scalar or lanes.
 //
-// Guarantee: what a lane gets does not depend on the others, of which some may take more steps.
+// Guarantee: the result of a lane does not depend on the others, of which some may take more steps.
 #pragma once
 
 #include "graze/free_motion.hpp"
@@ -59,7 +59,7 @@ Quat<S> turned(const FreeBody<S>& body, const S& h) {
   return normalized(rotation_of(g) * body.rotation);
 }
 
-/// How many steps of rotation a duration takes: by the greatest rate that the angular momentum can cause.
+/// The number of steps of rotation in a duration, by the greatest rate that the angular momentum can cause.
 template <class S>
 S rotation_steps(const FreeBody<S>& body, const S& duration) {
   using std::abs;
@@ -74,7 +74,7 @@ S rotation_steps(const FreeBody<S>& body, const S& duration) {
   return steps;
 }
 
-/// Turns the body for so long.
+/// Turns the body for a duration.
 template <class S>
 void turn(FreeBody<S>& body, const S& duration) {
   const S steps = rotation_steps(body, duration), h = duration / greatest(steps, S(1));

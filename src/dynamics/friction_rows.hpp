@@ -18,7 +18,7 @@ struct PointRow {
   using Turning = typename Space::Turning;
 
   Vec arm_a{}, arm_b{};        ///< from the centres of mass, where contacts were found
-  Turning spin_a{}, spin_b{};  ///< what an impulse of 1 does to the angular velocities
+  Turning spin_a{}, spin_b{};  ///< change of the angular velocities by an impulse of 1
   S separation{};              ///< where contacts were found
   S effective_mass{};
   S impulse{};   ///< λ of a sub-step, >= 0
@@ -43,7 +43,7 @@ class FrictionRows<S, Space<S>> {
   using T = typename LaneOf<S>::type;
 
  public:
-  /// About the pressure centre, seen from the centres of mass.
+  /// Sets up the rows at the pressure centre, to which `arm_a` and `arm_b` lead from the centres of mass.
   void prepare(const Vec& normal, const Vec& arm_a, const Vec& arm_b, const InverseMass<S>& a,
                const InverseMass<S>& b) {
     u_ = any_perpendicular(normal);
@@ -70,8 +70,8 @@ class FrictionRows<S, Space<S>> {
     twist_mass_ = inverse_or_zero(dot(normal, spin_na_ + spin_nb_));
   }
 
-  /// Takes over what the points pushed in the last step, `share` of it: `friction` across the normal, and the twist.
-  /// A point that was lost took its share of the pressure along, and others' shares may not hold without it.
+  /// Takes over the part `share` of the impulses of the last step: `friction` across the normal, and the twist. They
+  /// are limited anew: a point that was lost took its part of the pressure along, and the rest may not hold as much.
   template <class Points>
   void take_over(const Vec& normal, const Vec& friction, const Points& points, T share, Rows rows,
                  const ContactMaterial<S>& material) {
@@ -93,7 +93,7 @@ class FrictionRows<S, Space<S>> {
     rolling_ = {};
   }
 
-  /// How the surface of B runs over that of A by itself.
+  /// Sets the velocity of B's surface over A's while both bodies rest.
   void set_belt(const Vec& normal, const Vec& belt) {
     belt_u_ = dot(belt, u_);
     belt_v_ = dot(belt, cross(normal, u_));
@@ -108,8 +108,8 @@ class FrictionRows<S, Space<S>> {
     if (bodies.roll) roll(rolling_, bodies);
   }
 
-  /// Friction with the total impulse of the points at hand, in the lanes that are active; tells whether it reached its
-  /// limit there. What slides slower than `slow` counts as at rest.
+  /// Solves friction with the total impulse of the points at hand, in the active lanes; returns whether it reached its
+  /// limit there. Surfaces that slide slower than `slow` count as at rest.
   Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
              const S& slow, const Mask& active, Bodies& bodies) {
     S pressed(0), lever(0);
@@ -122,11 +122,12 @@ class FrictionRows<S, Space<S>> {
     return solve_sliding(normal, mass_a, mass_b, pressed, material, slow, active, bodies);
   }
 
-  /// What is pushed across the normal.
+  /// The impulse across the normal.
   Vec push(const Vec& normal) const { return u_ * push_u_ + cross(normal, u_) * push_v_; }
 
-  /// The twist as pushes on the points, which each push `cross` of this and its way from the pressure centre, times its
-  /// part of the pressure: no point holds more of it than its own friction would. `inverse` is that of the pressure.
+  /// The twist as pushes on the points: each gets the cross product of this vector and its way from the
+  /// pressure centre, times its part of the pressure, and no point more than its own friction could hold.
+  /// `inverse`: of the pressure.
   Vec spread_twist(const Vec& normal, Rows rows, const Vec& center, const S& pressed, const S& inverse,
                    const ContactMaterial<S>& material) const {
     using std::sqrt;
@@ -190,11 +191,11 @@ class FrictionRows<S, Space<S>> {
     return slides;
   }
 
-  Vec u_{};                ///< across the normal; what is across both is v
+  Vec u_{};                ///< across the normal; v is across both
   Vec arm_a_{}, arm_b_{};  ///< of the pressure centre
   Vec spin_ua_{}, spin_ub_{}, spin_va_{},
-      spin_vb_{};              ///< what an impulse of 1 along u or v does to the angular velocities
-  Vec spin_na_{}, spin_nb_{};  ///< and an angular impulse of 1 about the normal
+      spin_vb_{};              ///< changes of the angular velocities by an impulse of 1 along u or v
+  Vec spin_na_{}, spin_nb_{};  ///< changes by an angular impulse of 1 about the normal
   S mass_[3]{};                ///< the inverse of the 2×2 block of u and v: uu, uv, vv
   S push_u_{}, push_v_{};
   S twist_mass_{}, twist_{};
@@ -258,7 +259,7 @@ class FrictionRows<S, plane::Space<S>> {
   }
 
   Vec push(const Vec& normal) const { return left(normal) * push_; }
-  /// Nothing twists about a normal of the plane.
+  /// Zero: in the plane nothing twists about a normal.
   S spread_twist(const Vec&, Rows, const Vec&, const S&, const S&, const ContactMaterial<S>&) const { return S(0); }
 
  private:
@@ -283,8 +284,8 @@ class FrictionRows<S, plane::Space<S>> {
     bodies.b.angular += bodies.inertia_b * torque;
   }
 
-  S turn_a_{}, turn_b_{};  ///< arm of the pressure centre × what is across the normal
-  S spin_a_{}, spin_b_{};  ///< what an impulse of 1 across the normal does to the angular velocities
+  S turn_a_{}, turn_b_{};  ///< arm of the pressure centre × the direction across the normal
+  S spin_a_{}, spin_b_{};  ///< changes of the angular velocities by an impulse of 1 across the normal
   S mass_{}, push_{};
   S rolling_mass_{}, rolling_{};
   S belt_{};

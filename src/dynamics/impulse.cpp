@@ -8,7 +8,7 @@ namespace graze {
 
 namespace {
 
-/// How an impulse on B at the point, and its opposite on A, changes the relative velocity there: the matrix K.
+/// The matrix K: the change of the relative velocity at a point by an impulse on B there and its opposite on A.
 template <class T>
 struct Yielding {
   const InverseMass<T>& a;

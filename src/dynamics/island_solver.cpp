@@ -6,30 +6,31 @@ namespace graze {
 
 namespace {
 
-/// What a contact may sink under its load, of the smaller body's size, before the island takes more sub-steps.
+/// The depth to which a contact may sink under its load, as a part of the smaller body's size, before the island takes
+/// more sub-steps.
 template <class T>
 constexpr T visible_sink = T(0.001);
 
-/// Fewer sub-steps soften every contact, and what lies on it sinks: a blow to the island, whose answer must not ask for
-/// more again. So they become fewer by one at a time, which changes the springs least, and only where the contacts
-/// would still sink by less than this part of the above: four times the load has to come before there are more.
-/// Measured: with half, towers of thirty boxes and more change their number for good and keep 2 J; with a quarter none
-/// of up to forty does, nor ten boxes under one of 1 to 110 times the mass.
+/// The part of `visible_sink` within which the contacts of an island have to stay for it to take one sub-step less.
+/// Fewer sub-steps soften every contact, and bodies on it sink: a blow to the island, which must not call for more of
+/// them again. So they become fewer by one at a time, which changes the springs least, and four times the load has to
+/// come before there are more. Measured: with half, towers of thirty boxes and more change their number for good and
+/// keep 2 J; with a quarter none of up to forty does, nor ten boxes under one of 1 to 110 times the mass.
 template <class T>
 constexpr T calm_sink = T(0.25);
 
-/// A body is let fall by no more than this part of its size in a sub-step.
+/// The part of its size by which a body may fall in a sub-step.
 template <class T>
 constexpr T fall_in_sub_step = T(0.02);
 
-/// Passes that relax the velocities of an island with both contacts and joints. A contact does not know what joints
-/// hang on its bodies: one pass takes back too little or too much of a blow's impulse, which the next sub-step begins
-/// with, and the blow is given once more. Measured in 393 chains of 3 to 27 links that collide, the last up to a
-/// hundred times as heavy: with one pass the energy rises by up to a tenth of what they can fall, with two by 0.035,
-/// with four by 0.007.
+/// Passes that relax the velocities of an island with both contacts and joints. A contact is solved without the
+/// joints of its bodies: one pass takes back too little or too much of a blow's impulse, which the next sub-step
+/// begins with, and the blow is given once more. Measured in 393 chains of 3 to 27 links that collide, the last up to
+/// a hundred times as heavy: with one pass the energy rises by up to a tenth of what they can fall, with two by
+/// 0.035, with four by 0.007.
 constexpr int passes_among_joints = 4;
 
-/// Bodies, and chunks of contacts, of an island that a task has: enough that to hand it out costs little beside.
+/// Bodies, and chunks of contacts, of an island in one task: so many that handing it out costs little in comparison.
 constexpr std::size_t bodies_per_block = 64, chunks_per_task = 4;
 
 }  // namespace
@@ -149,8 +150,8 @@ auto IslandSolver<T, Space>::load(std::span<const SolverPoint<T, Space>> points,
 template <class T, class Space>
 void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share,
                                               int least, int most) {
-  // What a joint holds moves along a chord of its arc: off by the square of the sub-step, a quarter of it with two for
-  // one.
+  // A body on a joint moves along a chord of its arc: the error is the square of the sub-step, and a quarter of it with
+  // two for one.
   sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : contacts_.empty() ? 1 : least;
   if (contacts_.empty()) return;
   const Load most_load = load(points, step, share);
@@ -178,7 +179,7 @@ void IslandSolver<T, Space>::move(const SubStep<T>& time) {
   move_unpushed(time);
 }
 
-/// Moves what nothing pushes by the velocity that it is given.
+/// Moves bodies that nothing pushes by the velocities that they are given.
 template <class T, class Space>
 void IslandSolver<T, Space>::move_unpushed(const SubStep<T>& time) {
   for (std::size_t i = pushed_; i < bodies_.size(); ++i) {
@@ -213,11 +214,12 @@ void IslandSolver<T, Space>::solve_joints(bool bias) {
       b.tie();
     }
   }
-  // A drive or bound knows what its own joint locks; what it pushes the others of a linkage would swing itself up.
+  // A drive or bound pushes no axis that its own joint locks, but those of the other joints of a linkage; what is left
+  // of that would build up, so the locked axes are solved once more.
   if (driven && joints_.size() > 1) joint_system_.solve(joints_, bodies_, bias);
 }
 
-/// The rows of joints where bodies are at the end of the sub-step.
+/// Sets the rows of joints where bodies are at the end of the sub-step.
 template <class T, class Space>
 void IslandSolver<T, Space>::arrive() {
   for (std::size_t j = 0; j < joints_.size(); ++j)
@@ -225,7 +227,7 @@ void IslandSolver<T, Space>::arrive() {
   joint_system_.factor(joints_, bodies_);
 }
 
-/// One pass. That with bias decides how bodies move, and notes along what they are pressed.
+/// One pass over all rows. The one with bias decides how bodies move, and records the normals that press them.
 template <class T, class Space>
 void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
   each_bundle([&](const auto& kernels, const auto& bundle) { kernels.solve(bundle, bodies_.data(), step, bias); });

@@ -18,22 +18,22 @@ namespace graze {
 template <class T, class Space>
 class IslandSolver {
  public:
-  /// An empty island, for whose contacts and bodies `executor` has threads; null where the island has one thread.
+  /// Empties the island. `executor` has threads for its contacts and bodies; null where the island has one thread.
   void clear(Executor* executor = nullptr);
-  /// The body's place in the island. Those that can be pushed are added first.
+  /// Adds a body and returns its place in the island. Those that can be pushed are added first.
   std::uint32_t add(const IslandBody<T, Space>& body);
-  /// The place of a body that nothing pushes, which may be asked for again by its `index`.
+  /// Adds a body that nothing pushes, once for each `index`, and returns its place.
   std::uint32_t add_once(std::uint32_t index, const IslandBody<T, Space>& body);
-  /// The manifolds of a pair, which outlive the step.
+  /// Adds the manifolds of a pair, which outlive the step.
   void add(const TouchingBodies<T, Space>& touching, std::span<const ContactManifold<T, Space>> manifolds);
   void add(JointInPlace<T, Space>& joint, std::uint32_t a, std::uint32_t b);
 
-  /// As many sub-steps as it takes, by the impulses of the last step, that no contact sinks visibly: from `least` to
-  /// `most`, no fewer than one below the last step's, and the most where a body is new. `share` is what the step has of
-  /// the last one's impulses.
+  /// Chooses the least number of sub-steps with which, by the impulses of the last step, no contact sinks visibly: from
+  /// `least` to `most`, no fewer than one below the last step's, and the most where a body is new. `share`: the part of
+  /// the last step's impulses that this step has.
   void choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share, int least, int most);
   void solve(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share);
-  /// Impulses to the world's points and to the joints.
+  /// Writes the impulses to the world's points and to the joints.
   void store(std::span<SolverPoint<T, Space>> points);
 
   const FreeBodyIn<Space>& body(std::uint32_t place) const { return states_[place].free; }
@@ -44,7 +44,7 @@ class IslandSolver {
   T residual() const { return residual_; }
 
  private:
-  /// What the contacts of an island bear at most.
+  /// The greatest load that a contact of an island bears.
   struct Load {
     T strain{};  ///< force times inverse masses, of the smaller body's size
     T smallest = std::numeric_limits<T>::infinity();
@@ -76,7 +76,7 @@ class IslandSolver {
   std::vector<JointRows<T, Space>> joints_;
   std::vector<JointInPlace<T, Space>*> joined_;
   JointSystem<T, Space> joint_system_;
-  bool by_mean_ = true;  ///< what joints hold moves by the mean of its velocities
+  bool by_mean_ = true;  ///< bodies on joints move by the mean of their velocities
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joint_bodies_;
   Executor* executor_ = nullptr;
   int sub_steps_ = 1;

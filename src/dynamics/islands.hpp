@@ -1,8 +1,8 @@
 // Islands: bodies that touch or are joined, directly or through others that can be pushed.
 //
 // Guarantee: every body that can be pushed is in one island, and every contact or joint of one in that island; islands
-// stand in the order of their first bodies, and what is in them in its own order. What cannot be pushed joins nothing.
-// Nearly linear in the number of links (Tarjan 1975).
+// stand in the order of their first bodies, and what is in them in its own order. A body that cannot be pushed joins
+// nothing. Nearly linear in the number of links (Tarjan 1975).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class Islands {
     std::uint32_t first_link, link_count;
   };
 
-  /// `movable[i]` tells whether body i is looked at. A link has at least one body that is.
+  /// Finds the islands. `movable[i]`: whether body i is looked at. A link has at least one body that is.
   void find(std::span<const std::uint8_t> movable, std::span<const IslandLink> links);
 
   std::span<const Range> ranges() const { return ranges_; }

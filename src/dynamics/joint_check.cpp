@@ -1,5 +1,5 @@
-// What is no joint: frames that are not finite, limits without an axis, drives that pull backwards, axes that the plane
-// does not have.
+// Joints that are refused: frames that are not finite, limits without an axis, drives that pull backwards, axes that
+// the plane does not have.
 #include <cmath>
 #include <string>
 
@@ -77,7 +77,7 @@ void check_frames(const Joint<T, plane::Space<T>>& joint) {
   plane::check_frame(joint.frame_a, "joint.frame_a");
   plane::check_frame(joint.frame_b, "joint.frame_b");
 }
-/// In the plane bodies move along x and y and turn about z.
+/// Checks the axes of a joint in the plane, where bodies move along x and y and turn about z.
 template <class T>
 void check_axes(const JointLimit<T>& limit, const plane::Space<T>&, const std::string& path) {
   const bool linear = limit.space == JointSpace::linear;

@@ -1,5 +1,5 @@
-// What a limit or drive of a joint measures: lengths and angles of one frame seen from another, and how velocities
-// change them.
+// The measures of a joint's limits and drives: lengths and angles of one frame seen from another, and the rates at
+// which velocities change them.
 //
 // Guarantee: each row is the exact derivative of its measure, for any distance and angle of the frames, but for the
 // locked angles, whose rows are those of frames that agree, as they do while a joint holds. Lengths and angles that
@@ -28,10 +28,10 @@ struct MeasuredRow {
   }
 };
 
-/// How a row measures: along an axis of frame A, or about it; or a length or angle over several.
+/// The kinds of measures: along an axis of frame A, or about it; or a length or angle over several axes.
 enum class Measure : std::uint8_t { along, distance, twist, swing, whole_turn, locked_swing, locked_turn };
 
-/// What a row measures.
+/// A measure and the axes that it is of.
 struct Measured {
   Measure measure;
   std::uint8_t axis = 0;       ///< of frame A
@@ -131,7 +131,7 @@ struct JointFrames<T, Space<T>> {
   }
 };
 
-/// In the plane there is one angle, and no row that holds it by others.
+/// The frames of a joint of the plane, where there is one angle, and no row that holds it by others.
 template <class T>
 struct JointFrames<T, plane::Space<T>> {
   using Vec = plane::Vec2<T>;

@@ -1,4 +1,4 @@
-// Which rows a joint has: those of what it locks, of bounds and of drives; and what they keep from step to step.
+// The rows of a joint: those of its locked axes, of bounds and of drives; and the impulses kept from step to step.
 #include <cmath>
 
 #include "dynamics/joints.hpp"
@@ -77,7 +77,7 @@ void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row)
     rows_.back().target = limit.min;
     return;
   }
-  // A turn has no end where its range is a whole one.
+  // A turn whose range is a whole one has no end.
   if (row.what.measure == Measure::twist && limit.max - limit.min >= T(2) * pi<T>) return;
   const Side sides[] = {Side::lower, Side::upper};
   const T bounds[] = {limit.min, limit.max};

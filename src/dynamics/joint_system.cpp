@@ -102,7 +102,7 @@ void JointSystem<T, Space>::prepare(std::span<const JointRows<T, Space>> joint_r
   find_loops(joint_rows, bodies, movable);
 }
 
-/// The joints of no tree, as many as may be solved at once.
+/// Finds the joints of no tree, as many as may be solved at once.
 template <class T, class Space>
 void JointSystem<T, Space>::find_loops(std::span<const JointRows<T, Space>> joints,
                                        std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
@@ -149,7 +149,7 @@ void JointSystem<T, Space>::tie(Link& link, const JointRows<T, Space>& joint) {
   const auto element = [&](std::size_t i, std::size_t k) {
     return inner(response_of_body[i], link.of_body[k]) + inner(link.response[i], link.of_next[k]);
   };
-  // What hangs on a body is taken from the response of the body alone.
+  // Bodies that hang on a body take from the response of that body alone, which is the scale.
   const auto scale = [&](std::size_t i) {
     return inner(times(body.alone, link.of_body[i]), link.of_body[i]) +
            inner(times(next.alone, link.of_next[i]), link.of_next[i]);
@@ -178,7 +178,7 @@ void JointSystem<T, Space>::factor(std::span<const JointRows<T, Space>> joints,
   if (!loops_.empty()) factor_loops(joints);
 }
 
-/// The rows of the joints that close loops where they are now.
+/// Sets the rows of the joints that close loops where they are now.
 template <class T, class Space>
 void JointSystem<T, Space>::set_loop_rows(std::span<const JointRows<T, Space>> joints) {
   loop_rows_.clear();
@@ -193,7 +193,7 @@ void JointSystem<T, Space>::set_loop_rows(std::span<const JointRows<T, Space>> j
   }
 }
 
-/// Makes `velocity_` what an impulse of 1 on a loop's row makes of all bodies, with the trees holding.
+/// Sets `velocity_` to the velocities of all bodies by an impulse of 1 on a loop's row, with the trees holding.
 template <class T, class Space>
 void JointSystem<T, Space>::respond_to(const Loop& loop, const LoopRow& row) {
   velocity_.assign(responses_.size(), {});

@@ -1,11 +1,11 @@
 // The locked axes of all joints of an island, solved at once: a chain of any length holds as one joint does.
 //
-// Rows of one joint after the other agree only after many rounds, and what is left of a stiff chain swings itself up
+// Rows of one joint after the other agree only after many rounds, and the error that remains in a stiff chain builds up
 // from sub-step to sub-step. Joints that make no loop have a tree of bodies. From its leaves to its root each joint
 // ties all that hangs on it to the next body, whose response to an impulse is from then on that of the whole; from the
 // root back to the leaves impulses are corrected by what was not known yet (Featherstone 1983, "The calculation of
 // robot dynamics using articulated-body inertias"; Baraff 1996, "Linear-time dynamics using Lagrange multipliers").
-// Responses are inverse masses, so that what cannot move or turn is no case of its own.
+// Responses are inverse masses, so that a body that cannot move or turn is no case of its own.
 //
 // Joints that close loops are solved after the trees, all rows of them at once, by their response with the trees
 // holding (Baraff's auxiliary constraints). A loop may hold what others hold already, as the second hinge of a door
@@ -30,25 +30,25 @@ namespace graze {
 template <class T, class Space>
 class JointSystem {
  public:
-  /// Finds the trees and the loops: `bodies` has the two of each joint by their places, `movable` tells of each body.
-  /// Bodies that nothing pushes are where trees begin.
+  /// Finds the trees and the loops. `bodies`: the two of each joint by their places; `movable`: of each body. Trees
+  /// begin at bodies that nothing pushes.
   void prepare(std::span<const JointRows<T, Space>> joints,
                std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies, std::span<const std::uint8_t> movable);
   /// Whether a joint's locked rows are solved here; otherwise it closes one loop too many, or has nothing that moves.
   bool holds(std::size_t joint) const { return held_[joint] != 0; }
-  /// How many of those close loops.
+  /// The number of these joints that close loops.
   std::size_t loops() const { return loops_.size(); }
   /// Whether all joints that anything moves are solved here.
   bool holds_all() const { return holds_all_; }
 
-  /// The responses where the joints' rows are now.
+  /// Computes the responses where the joints' rows are now.
   void factor(std::span<const JointRows<T, Space>> joints, std::span<const SolverBody<T, Space>> bodies);
   /// One pass over all locked rows of the trees; with `bias` errors of position are corrected.
   void solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
 
  private:
-  /// So many rows of loops are solved at once, some thirty ball joints, and of large trees so many that they ask for
-  /// no more than these responses of links.
+  /// The most rows of loops that are solved at once, some thirty ball joints, and the most responses of links that they
+  /// may take in large trees.
   static constexpr std::size_t most_loop_rows = 96, most_loop_work = 4096;
   static constexpr std::size_t freedoms = std::is_same_v<typename Space::Vec, Vec3<T>> ? 6 : 3;
   static constexpr std::size_t most_rows = JointRows<T, Space>::most_locked;
@@ -76,7 +76,7 @@ class JointSystem {
   };
   struct Response {
     std::array<Freedoms, freedoms> alone{};         ///< the body's inverse mass
-    std::array<Freedoms, freedoms> inverse_mass{};  ///< that of the body and what hangs on it
+    std::array<Freedoms, freedoms> inverse_mass{};  ///< of the body with all that hangs on it
     Freedoms change{}, pushed{};
   };
 

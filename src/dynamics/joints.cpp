@@ -1,4 +1,4 @@
-// The rows of a joint where its bodies are, and how they are solved.
+// The rows of a joint where its bodies are, and their solution.
 #include "dynamics/joints.hpp"
 
 #include <cmath>
@@ -14,8 +14,8 @@ inline constexpr T drift_part = T(1) / T(64);  // of the arms, or in radians
 template <class T>
 inline constexpr T recovered_part = T(1) / T(8);
 
-/// A joint of a loop that is not solved with the trees is a spring whose period is so many sub-steps, damped far beyond
-/// the critical: stiffer ones swing themselves up with what the rest of the loop holds.
+/// The period in sub-steps, and the damping ratio, of the spring that stands for a joint of a loop that is not solved
+/// with the trees, damped far beyond the critical: stiffer springs build up oscillations with the rest of the loop.
 template <class T>
 inline constexpr T loop_period = T(4);
 template <class T>
@@ -73,7 +73,7 @@ void JointRows<T, Space>::factor(const SolverBody<T, Space>& a, const SolverBody
   factors_.factor(locked_, element, [&](std::size_t i) { return element(i, i); });
 }
 
-/// A row with the reaction of what is locked: pushing it does not move a locked axis.
+/// Adds the reaction of the locked axes to a row, so that pushing it does not move them.
 template <class T, class Space>
 void JointRows<T, Space>::free_of_locked(Row& row, const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) const {
   const auto linear = row.at.linear * (a.mass.mass + b.mass.mass);
@@ -209,7 +209,8 @@ void JointRows<T, Space>::push_free(Row& row, T impulse, SolverBody<T, Space>& a
   for (std::size_t i = 0; i < locked_; ++i) rows_[i].impulse -= row.reaction[i] * impulse;
 }
 
-/// A bound is kept at the end of the sub-step, however far it is now; once there, nothing goes on past it.
+/// Solves a bound, which is kept at the end of the sub-step, however far it is now; once there,
+/// nothing goes on past it.
 template <class T, class Space>
 void JointRows<T, Space>::solve_hard(Row& row, SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
   T wanted = -rate_of(row.at, a, b);

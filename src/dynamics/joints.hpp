@@ -5,7 +5,7 @@
 // moved, `solve` without. Impulses on the two bodies are opposite. A joint alone needs one pass: what it locks is
 // solved at once, by elimination, and limits and drives push in directions that what is locked leaves free.
 //
-// Where a pendulum swings, a constraint force at the beginning of the sub-step alone adds or takes energy. Once the
+// A constraint force at the beginning of the sub-step alone adds or takes energy where a pendulum swings. Once the
 // bodies have moved, half of what the rows pushed is taken back and pushed along the rows at the new place: the
 // trapezoid of RATTLE (Andersen 1983), which keeps energy over any time.
 #pragma once
@@ -40,10 +40,11 @@ class FactoredRows {
  public:
   using Rows = std::array<T, N>;
 
-  /// Of the first `count` rows, by their lower half. `scale(i)` is what a diagonal element is a difference of.
+  /// Factors the first `count` rows, by their lower half. `scale(i)`: the size of the terms whose difference a diagonal
+  /// element is.
   template <class Element, class Scale>
   void factor(std::size_t count, const Element& element, const Scale& scale);
-  /// What times the matrix is `v`; zero of the rows that were left out.
+  /// The vector whose product with the matrix is `v`; zero in the rows that were left out.
   Rows solved(Rows v) const;
 
  private:
@@ -84,7 +85,7 @@ auto FactoredRows<T, N>::solved(Rows v) const -> Rows {
   return v;
 }
 
-/// How many axes a limit has.
+/// The number of axes of a limit.
 inline int count(const std::array<bool, 3>& axes) { return int{axes[0]} + int{axes[1]} + int{axes[2]}; }
 
 /// The rows of a joint while a step is solved. Those of locked axes are solved by `JointSystem`, or, where the joint
@@ -96,26 +97,26 @@ class JointRows {
 
   /// Takes the joint's impulses over, scaled to the sub-steps of this step. `joint` outlives the rows.
   void prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step);
-  /// How bodies move in this step, if not as `prepare` was told.
+  /// Sets the sub-step where bodies move otherwise than `prepare` assumed.
   void set_step(const SubStep<T>& step) { step_ = step; }
-  /// Axes, arms, errors and effective masses where the bodies are now, at the beginning of a sub-step.
+  /// Computes axes, arms, errors and effective masses where the bodies are now, at the beginning of a sub-step.
   void refresh(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
   /// Applies the impulses of the last sub-step.
   void warm_start(SolverBody<T, Space>& a, SolverBody<T, Space>& b) const;
-  /// Axes where the bodies are at the end of the sub-step, for the pass without bias after they have moved by the mean
-  /// of their velocities.
+  /// Computes the axes where the bodies are at the end of the sub-step, for the pass without bias after they have moved
+  /// by the mean of their velocities.
   void arrive(SolverBody<T, Space>& a, SolverBody<T, Space>& b);
   /// The locked rows, and by how much their rates are to change: with `bias` errors of position are corrected (see
   /// `SubStep`), otherwise velocities alone.
   std::size_t locked() const { return locked_; }
-  /// Whether it has neither bounds nor drives.
+  /// Whether the joint has neither bounds nor drives.
   bool all_locked() const { return locked_ == rows_.size(); }
   const MeasuredRow<T, Space>& locked_row(std::size_t i) const { return rows_[i].at; }
   T locked_impulse(std::size_t i) const { return rows_[i].impulse; }
   std::array<T, most_locked> wanted(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b, bool bias) const;
   void push_locked(const std::array<T, most_locked>& impulses, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
-  /// One pass over the locked rows of a joint that closes a loop and is not held by `JointSystem`: as a spring, for
-  /// what others hold is not known here.
+  /// One pass over the locked rows of a joint that closes a loop and is not held by `JointSystem`: as a spring, since
+  /// the other joints of the loop are not taken into account.
   void solve_loop(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
   /// One pass over the rows of bounds and drives.
   void solve_free(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
@@ -126,7 +127,7 @@ class JointRows {
   std::uint32_t b() const { return joint_->b; }
 
  private:
-  /// Which way a row pushes: any, or only towards larger or smaller values.
+  /// The values towards which a row pushes: any, or only larger or smaller ones.
   enum class Side : std::uint8_t { both, lower, upper };
 
   struct Row {
@@ -136,7 +137,7 @@ class JointRows {
     bool active = true;
     T target{}, target_speed{}, stiffness{}, damping{}, max_force{};
     T impulse{};
-    // Where the bodies are now.
+    // Values where the bodies are now.
     MeasuredRow<T, Space> at{};
     T error{};     ///< past the target
     T yielding{};  ///< the change of the rate by an impulse of 1, with what is locked pushing back

@@ -21,8 +21,8 @@ Mat3<T> turned(const Mat3<T>& tensor, const Quat<T>& rotation) {
   return r * tensor * transposed(r);
 }
 
-/// The inverse of a symmetric matrix by its cofactors; `matrix` has been scaled to a largest element of 1. Positive
-/// definite is, by Sylvester's criterion, what has positive leading minors.
+/// The inverse of a symmetric matrix by its cofactors; `matrix` has been scaled to a largest element of 1. A matrix
+/// with positive leading minors is positive definite (Sylvester's criterion).
 template <class T>
 Mat3<T> inverse_of_scaled(const Mat3<T>& m, const char* path, T found) {
   const Vec3<T> x = cross(m.row[1], m.row[2]), y = cross(m.row[2], m.row[0]), z = cross(m.row[0], m.row[1]);

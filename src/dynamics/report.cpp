@@ -1,4 +1,4 @@
-// What can be measured of a simulation from outside.
+// Measurements of a simulation from outside.
 #include "dynamics/simulation_parts.hpp"
 
 namespace graze {

@@ -1,9 +1,9 @@
-// Blows: what bounces, at the time at which it touches.
+// Blows: bodies that bounce, at the time at which they touch.
 //
 // A body that meets something with restitution within the step, or met it within the last one, is first taken along its
 // own flight to the moment of contact; there the blow is struck and passed on through all that touches (`blows.hpp`);
-// what is left of the step it flies on. Its energy is that of the closed form, however long the step. Contacts slower
-// than what gravity does in two steps have no restitution, and rest.
+// for the rest of the step the body flies on. Its energy is that of the closed form, however long the step. Contacts
+// slower than the speed that gravity gives in two steps have no restitution, and rest.
 #include <algorithm>
 #include <limits>
 
@@ -14,11 +14,11 @@ namespace graze {
 
 namespace {
 
-/// What of the size of bodies may lie between them that pass a blow on.
+/// The largest gap, as a part of the size of bodies, across which they pass a blow on.
 template <class T>
 constexpr T touching = T(0.002);
 
-/// How fast an approach has to be to bounce, in changes of speed that gravity makes in a step.
+/// The least speed of an approach that bounces, as a multiple of the speed that gravity gives in a step.
 template <class T>
 constexpr T bouncing_steps = T(2);
 
@@ -54,7 +54,8 @@ struct Flight {
   bool supported = false;  ///< something bears it
 };
 
-/// When the points of a manifold meet, seen from now; negative when they have. Infinite for what does not bounce.
+/// The time from now at which the points of a manifold meet: negative where they have just met, zero where they bore an
+/// impulse before, infinite where they do not bounce.
 template <class T, class Space>
 T time_of_blow(const SimulationParts<T, Space>& parts, const ContactPair<T>& pair, const ContactManifold<T, Space>& m,
                std::span<const SolverPoint<T, Space>> points, T slow, T dt) {
@@ -102,7 +103,7 @@ std::uint32_t place_of(const SimulationParts<T, Space>& parts, std::span<const s
   return static_cast<std::uint32_t>(island.bodies.size() - 1);
 }
 
-/// Coulomb's friction of what each point pushed, no longer than it takes to end the sliding there.
+/// Adds Coulomb's friction at each point that was struck, no more than ends the sliding there.
 template <class T, class Space>
 void rub(IslandBlows<T, Space>& island) {
   for (std::size_t k = 0; k < island.blows.size(); ++k) {
@@ -164,7 +165,7 @@ void gather(const SimulationParts<T, Space>& parts, const Islands::Range& range,
   for (const StruckBody<T, Space>& body : island.bodies) island.before.push_back(body.motion);
 }
 
-/// Gives the bodies the motions that the blows left, by what was added to them.
+/// Adds the changes of the bodies' motions by the blows.
 template <class T, class Space>
 void take_over(SimulationParts<T, Space>& parts, const IslandBlows<T, Space>& island, std::size_t members) {
   for (std::size_t k = 0; k < members; ++k) {

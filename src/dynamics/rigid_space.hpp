@@ -1,4 +1,5 @@
-// What each space does in its own way to bodies that turn, under the same names, so that all else is written once.
+// The operations on bodies that turn in which the spaces differ, under the same names, so that all else is written
+// once.
 //
 // Guarantee: free functions found by their arguments, of `graze` for three dimensions and of `graze::plane` for two.
 #pragma once
@@ -30,14 +31,15 @@ FreeBody<T> spinning(FreeBody<T> body, const Vec3<T>& spin) {
   return body;
 }
 
-/// What is diagonal about the principal axes, in world space.
+/// A tensor that is diagonal about the principal axes, in world space.
 template <class T>
 Mat3<T> in_world(const Vec3<T>& diagonal, const Quat<T>& rotation) {
   const Mat3<T> r = rotation_matrix(rotation);
   return r * Mat3<T>::diagonal(diagonal) * transposed(r);
 }
 
-/// An inertia that is infinite never gains angular momentum: any number will do.
+/// The inertia, with zero in place of an infinite one: about such an axis a body never gains angular momentum, so that
+/// any number will do.
 template <class T>
 Vec3<T> finite_inertia(const Vec3<T>& inertia, const Vec3<T>& inverse) {
   return {inverse.x > T(0) ? inertia.x : T(0), inverse.y > T(0) ? inertia.y : T(0),
@@ -63,7 +65,7 @@ Vec3<T> turning_between(const Quat<T>& from, const Quat<T>& to, T time) {
   return turn.vector() * (per_sine / time);
 }
 
-/// What it adds to `v` to turn it back: `rotate(conjugate(q), v) - v`, without the rounding of the difference.
+/// The change of `v` by turning it back: `rotate(conjugate(q), v) - v`, without the rounding of the difference.
 template <class S>
 Vec3<S> turned_back_by(const Quat<S>& q, const Vec3<S>& v) {
   const Vec3<S> t = cross(v, q.vector()) * S(2);
@@ -91,7 +93,7 @@ Vec3<T> checked_vector(const Vec3<T>& v, const char* path) {
 template <class T>
 constexpr T thin = T(1e-3);
 
-/// The least extent of a shape along its axes; infinite for a half-space, and for a surface what it is thick.
+/// The least extent of a shape along its axes; infinite for a half-space, and for a surface its thickness.
 template <class T>
 T size_of(const Shape<T>& shape) {
   if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
@@ -165,7 +167,7 @@ template <class T>
 Vec2<T> checked_vector(const Vec2<T>& v, const char* path) {
   return plane::detail::checked_point(v, path);
 }
-/// The radius of the disc about the shape's origin that holds it; infinite for what has no end.
+/// The radius of the disc about the shape's origin that holds it; infinite for a shape without end.
 template <class T>
 T reach_of(const Shape<T>& shape) {
   return Space<T>::speed_of_turning(shape, T(1));
@@ -194,7 +196,8 @@ T depth_of_center(const Shape<T>& shape, const Vec2<T>& center) {
 
 }  // namespace plane
 
-/// A number of the plane stands for itself; of those without a type of its own, whose names nothing finds.
+/// The operations of vectors for turnings of the plane, which are plain numbers: their type has no namespace in which
+/// such names would be found.
 template <std::floating_point T>
 T finite_inertia(const T& inertia, const T& inverse) {
   return inverse > T(0) ? inertia : T(0);

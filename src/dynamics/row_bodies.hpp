@@ -7,7 +7,7 @@
 
 namespace graze {
 
-/// The part of `SolverBody` that rows change. None of the numbers is a negative zero: then what adds zeros of any sign
+/// The part of `SolverBody` that rows change. None of the numbers is a negative zero, so that adding zeros of any sign
 /// changes no bit.
 template <class S, class Space>
 struct RowVelocity {
@@ -15,7 +15,7 @@ struct RowVelocity {
   typename Space::Turning angular{};
 };
 
-/// How a body moved since its contacts were found.
+/// The motion of a body since its contacts were found.
 template <class S, class Space>
 struct RowPlace {
   typename Space::Vec moved{};

@@ -1,4 +1,4 @@
-// Bodies and joints of a simulation, what is done to them from outside, and its step.
+// Bodies and joints of a simulation, the changes to them from outside, and its step.
 #include "graze/simulation.hpp"
 
 #include <algorithm>
@@ -99,7 +99,7 @@ void SimulationParts<T, Space>::move_world() {
     const MotionIn<Space> m = motion(i);
     typename Space::Vec linear = m.linear + cross(m.angular, pose.translation - m.center);
     typename Space::Turning angular = m.angular;
-    // What has left the numbers that are accepted stays where it was.
+    // A body that has left the range of accepted numbers stays where it was.
     if (!is_accepted(pose.translation) || !is_accepted(linear) || !is_accepted(angular) || !is_finite(pose.rotation)) {
       pose = world.bodies().poses()[i];
       linear = {};

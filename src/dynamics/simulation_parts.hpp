@@ -1,4 +1,4 @@
-// What a simulation holds, and the stages of its step, a file each.
+// The data of a simulation, and the stages of its step, a file each.
 //
 //     forces -> World::update -> islands -> contact rows -> restitution -> sub-steps -> continuous -> sleep -> poses
 //
@@ -19,7 +19,7 @@ namespace graze {
 template <class T, class Space>
 using MaterialIn = Material<T, typename Space::Vec>;
 
-/// A body and how it moves.
+/// A body and its motion.
 template <class T, class Space>
 struct SimulatedBody {
   FreeBodyIn<Space> free{};
@@ -57,7 +57,7 @@ struct Scales {
   /// The speed at which something of `size` matters: that of a fall through half its size; without gravity the one at
   /// which it moves by a twentieth of its size in a step.
   T speed(T size) const { return gravity > T(0) ? std::sqrt(gravity * size) : size / (T(20) * step); }
-  /// How long that takes.
+  /// The time of such a fall; without gravity the one in which something of `size` moves by its size at that speed.
   T time(T size) const { return gravity > T(0) ? std::sqrt(size / gravity) : T(20) * step; }
 };
 
@@ -75,14 +75,14 @@ struct SimulationParts {
   std::vector<std::uint32_t> free_joints;
   std::vector<IdPair> muted;  ///< by joints, sorted; as often as there are joints that mute them
 
-  // Of a step.
+  // Members that a step fills anew.
   Islands islands;
   std::vector<IslandSolver<T, Space>> solvers;  ///< one for each task, kept for their storage
   std::vector<std::uint8_t> movable, awake;     ///< of each body; of each island
   std::vector<typename Space::Pose> found_at;   ///< where the last update found contacts
   std::vector<IslandLink> links;
   std::vector<std::uint32_t> link_pairs;  ///< of each link: its place among the contact pairs, or the joint behind them
-  std::vector<FreeBodyIn<Space>> before;  ///< how bodies stood when the step began
+  std::vector<FreeBodyIn<Space>> before;  ///< state of the bodies at the beginning of the step
   std::vector<T> shares;                  ///< of the step that each body has: less where it was moved ahead to a blow
   T last_step{};
   StepReport<T, Space> last{};
@@ -91,13 +91,13 @@ struct SimulationParts {
   std::uint32_t checked(BodyId id) const;
   std::uint32_t checked(JointId id) const;
   typename Space::Pose pose_of(std::uint32_t index) const;
-  /// The state of the body from the pose and velocity that the world has of it.
+  /// Sets the state of the body from the pose and velocity that the world has of it.
   void place(std::uint32_t index, const typename Space::Pose& pose, const typename Space::Velocity& velocity);
   MotionIn<Space> motion(std::uint32_t index) const;
   void wake(std::uint32_t index);
   /// Wakes all that touches the body or is joined to it.
   void wake_around(std::uint32_t index);
-  /// Links of contacts come first, then those of joints.
+  /// The contact of a link, or null where the link is a joint: links of contacts come first.
   const ContactPair<T>* contact_of(std::uint32_t link) const {
     const auto& pairs = world.contacts().pairs;
     return link_pairs[link] < pairs.size() ? &pairs[link_pairs[link]] : nullptr;

@@ -1,5 +1,5 @@
-// Who sleeps: islands in which nothing has moved for a while. What sleeps does not move, so the world finds nothing
-// changed of it, and its contacts keep their impulses for the moment in which it wakes.
+// Sleep of islands in which nothing has moved for a while. A body that sleeps does not move, so the world finds it
+// unchanged, and its contacts keep their impulses for the moment in which it wakes.
 #include <algorithm>
 
 #include "dynamics/simulation_parts.hpp"
@@ -8,15 +8,16 @@ namespace graze {
 
 namespace {
 
-/// What counts as rest: this part of the speed of a fall through half a body's size. 1 cm/s of a box of 1 m on earth.
+/// The speed that counts as rest, as a part of that of a fall through half a body's size: 1 cm/s of a box of 1 m on
+/// earth.
 template <class T>
 constexpr T resting_speed = T(0.003);
 
-/// For so long, in times of such a fall: half a second of a box of 1 m on earth.
+/// The time for which a body has to be slow, in times of such a fall: half a second of a box of 1 m on earth.
 template <class T>
 constexpr T resting_time = T(1.6);
 
-/// And for so many steps at least.
+/// The least number of steps for which a body has to be slow.
 template <class T>
 constexpr T resting_steps = T(10);
 
@@ -59,7 +60,7 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
       still = still && body.may_sleep && body.rested >= long_enough;
     }
     if (!still) continue;
-    // A body without contacts that is slow for a moment, at the top of its flight, is not long enough so.
+    // A body without contacts that is slow for a moment only, at the top of its flight, does not get here.
     for (const std::uint32_t i : members) {
       SimulatedBody<T, Space>& body = bodies[i];
       body.asleep = true;

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t islands_per_task = 8;
 
-/// Links of an island whose contacts and bodies are shared among the threads, after all smaller ones were.
+/// The links from which on the contacts and bodies of an island are shared among the threads, after all smaller
+/// islands.
 constexpr std::uint32_t links_of_large = 512;
 
 }  // namespace

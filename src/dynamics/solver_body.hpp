@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// Along what contacts press a body in a sub-step; over S, a scalar or lanes.
+/// The direction in which contacts press a body in a sub-step; over S, a scalar or lanes.
 template <class S, class Space>
 struct Pressure {
   using T = typename LaneOf<S>::type;
@@ -19,7 +19,7 @@ struct Pressure {
   typename Space::Vec normal{};
   S kind = S(none);
 
-  /// Notes that a contact presses along its normal, and, where it does not slide, holds in all directions.
+  /// Records that a contact presses along its normal, and, where it does not slide, holds in all directions.
   template <class Mask>
   void add(const typename Space::Vec& along, const Mask& presses, const Mask& slides) {
     using std::abs;
@@ -36,7 +36,7 @@ struct SolverBody {
   using Vec = typename Space::Vec;
   using Turning = typename Space::Turning;
 
-  // Lanes load what stands together at once: `RowVelocity`, `RowPlace`, `Pressure`.
+  // Members that lanes load at once stand together: `RowVelocity`, `RowPlace`, `Pressure`.
   Vec linear{};  ///< of the centre of mass, in world space
   Turning angular{};
   Vec moved{};                 ///< center - first_center
@@ -45,7 +45,7 @@ struct SolverBody {
   InverseMassIn<Space> mass{};  ///< in world space, of this step
   Vec linear_before{};          ///< at the beginning of the sub-step
   Turning angular_before{};
-  // Where the body is now and where it was when its contacts were found; of the centre of mass and the principal axes.
+  // Places of the body now, and when its contacts were found: those of the centre of mass and the principal axes.
   Vec center{}, first_center{};
   RotationIn<Space> rotation{}, first_rotation{};
 
@@ -58,10 +58,10 @@ struct SolverBody {
   }
 };
 
-/// A sub-step of duration h of an island. What rows press moves by h v₁ in it, v₁ being its velocity once the rows
-/// were solved with bias, so that a row that wants to move by d asks for the velocity d / h; all else moves by
-/// h (v₀ + v₁) / 2 (`moving_velocity` in `body_motion.kernel.cpp`). What joints hold moves by the mean too, unless
-/// contacts press something in the island: what both hold has to be moved by one rule.
+/// A sub-step of duration h of an island. A body that rows press moves by h v₁ in it, v₁ being its velocity once the
+/// rows were solved with bias, so that a row that is to move it by d has the target velocity d / h; all other bodies
+/// move by h (v₀ + v₁) / 2 (`moving_velocity` in `body_motion.kernel.cpp`). Bodies on joints move by the mean too,
+/// unless contacts press something in the island: bodies that both hold have to be moved by one rule.
 template <class T>
 struct SubStep {
   T h{};
@@ -71,7 +71,7 @@ struct SubStep {
 };
 
 /// The coefficients of a soft row (Catto 2011, "Soft constraints"), an implicit spring of angular frequency w and
-/// damping ratio z: what the row pushes is -effective_mass (velocity + bias_rate error) mass_scale - impulse_scale λ.
+/// damping ratio z: the row's impulse is -effective_mass (velocity + bias_rate error) mass_scale - impulse_scale λ.
 template <class T>
 struct Softness {
   T bias_rate{}, mass_scale = T(1), impulse_scale{};

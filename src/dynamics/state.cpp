@@ -1,7 +1,7 @@
-// Saving and going back.
+// Saving the state of a simulation, and going back to it.
 //
-// A step depends on what stands where, how it moves, and on the impulses of the last step's contacts. The latter belong
-// to points that the world finds anew where the last update found them: so bodies are put there first.
+// A step depends on the poses and velocities of the bodies, and on the impulses of the last step's contacts. The latter
+// belong to points that the world finds anew where the last update found them: so bodies are put there first.
 #include <string>
 
 #include "dynamics/bit_hash.hpp"

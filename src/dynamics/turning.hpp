@@ -1,5 +1,5 @@
-// The words of vectors for turnings of the plane, which are numbers: so that what is written once over a space reads
-// the same in both.
+// The names of vector operations for turnings of the plane, which are numbers, so that code written once over a space
+// reads the same in both.
 //
 // Guarantee: nothing but names; the numbers of three dimensions keep theirs.
 #pragma once
