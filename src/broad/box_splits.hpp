@@ -1,4 +1,4 @@
-// Where a tree of bounds built from the top divides its boxes.
+// The splits of boxes by which a tree of bounds is built from the top.
 //
 // Guarantee: both sides of every split have boxes; halvings only below `max_uneven` levels, so that the depth of a
 // binary tree of such splits is at most max_uneven + log2(n) + 1.
@@ -31,7 +31,7 @@ class BoxSplits {
   std::vector<Item> items;
 
   /// Sorts the items from `begin` to `end` into two sides and returns where the second begins. There are at least two.
-  /// Those of few items are halved at a multiple of `granule`, so that nodes get filled.
+  /// A few items are halved at a multiple of `granule`, so that nodes get filled.
   std::uint32_t operator()(std::uint32_t begin, std::uint32_t end, unsigned depth, std::uint32_t granule) {
     Aabb<T> centers = Aabb<T>::empty();
     double sizes = 0;
@@ -63,20 +63,21 @@ class BoxSplits {
   }
 
  private:
-  /// What lies this deep is halved. Twice what even splits of four thousand million boxes need.
+  /// The depth from which on parts are halved: twice what even splits of four thousand million boxes need.
   static constexpr unsigned max_uneven = 64;
-  /// So few are halved: that fills nodes, which is worth more than parts of less area. Measured, all pairs take a tenth
-  /// longer with 64.
+  /// The number of items up to which they are halved: that fills nodes, which is worth more than parts of less area.
+  /// Measured, all pairs take a tenth longer with 64.
   static constexpr std::uint32_t few_items = 512;
   static constexpr std::size_t bins = 16;
-  /// A box so many times the mean in length, and a quarter of where all are, would make the bounds of all around it as
-  /// large as itself, up to the top. Such boxes get a part of their own while they are no more than one in so many.
+  /// A long box has so many times the mean length, and a quarter of what all boxes span: it would make the bounds
+  /// of all around it as large as itself, up to the top. Long boxes get a part of their own while they are no
+  /// more than one in so many.
   static constexpr double long_share = 4;
   static constexpr std::uint32_t max_long_share = 8;
 
   auto at(std::uint32_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); }
 
-  /// The long ones after the others; `end` if they are too many.
+  /// Puts the long items behind the others and returns where they begin; `end` if they are too many.
   std::uint32_t by_size(std::uint32_t begin, std::uint32_t end, T limit) {
     const auto is_short = [limit](const Item& item) { return !(item.size() > limit); };
     const auto count = static_cast<std::uint32_t>(std::count_if(at(begin), at(end), is_short));
@@ -84,10 +85,10 @@ class BoxSplits {
     std::partition(at(begin), at(end), is_short);
     return begin + count;
   }
-  /// Where the areas of both sides, each times its boxes, sum to the least, of sixteen places (Wald 2007, "On fast
-  /// construction of SAH-based bounding volume hierarchies"). `begin` or `end` if there is none.
+  /// The split at which the areas of both sides, each times its boxes, sum to the least, of sixteen places (Wald 2007,
+  /// "On fast construction of SAH-based bounding volume hierarchies"). `begin` or `end` if there is none.
   std::uint32_t by_area(std::uint32_t begin, std::uint32_t end, std::size_t axis, T low, T spread) {
-    // A product that is less than `bins` by more than its rounding.
+    // Products with this factor are less than `bins` by more than their rounding.
     const T scale = static_cast<T>(bins) * (T(1) - T(4) * std::numeric_limits<T>::epsilon()) / spread;
     if (!(scale <= std::numeric_limits<T>::max())) return begin;
     const auto bin_of = [&](const Item& item) {

@@ -1,4 +1,4 @@
-// What every broad phase holds: boxes by id, and which of them moved.
+// The boxes of a broad phase by id, with marks of those that moved.
 //
 // Guarantee: refuses what the interface refuses; insertion, removal and look-up in constant time.
 #pragma once
@@ -31,7 +31,7 @@ class BoxTable {
     bool moved;  ///< inserted or moved since the last `settle`
   };
 
-  /// Returns its place.
+  /// Inserts a box and returns its place.
   std::uint32_t insert(std::uint32_t id, const Aabb<T>& box) {
     check(box);
     const auto place = static_cast<std::uint32_t>(entries_.size());
@@ -39,7 +39,7 @@ class BoxTable {
     entries_.push_back({box, id, true});
     return place;
   }
-  /// Returns the place that was left; what was last in the array is there now, unless it was the last itself.
+  /// Removes a box and returns the place that it left; the last box of the array is there now, unless it was that one.
   std::uint32_t remove(std::uint32_t id) {
     const std::uint32_t hole = place(id);
     place_.erase(id);
@@ -71,7 +71,7 @@ class BoxTable {
     return found->second;
   }
 
-  /// The sorted ids of all boxes that `accept(box)`.
+  /// The sorted ids of all boxes for which `accept(box)` holds.
   template <class Accept>
   void collect(std::vector<std::uint32_t>& out, const Accept& accept) const {
     out.clear();
@@ -86,12 +86,12 @@ class BoxTable {
     PairTest(const BoxTable& table, bool moved_only, std::vector<IdPair>& out)
         : table_(table), moved_only_(moved_only), out_(out) {}
 
-    /// Two boxes of the table, by their places.
+    /// Tests two boxes of the table, by their places.
     void operator()(std::uint32_t i, std::uint32_t j) {
       const Entry &a = table_[i], &b = table_[j];
       if ((!moved_only_ || a.moved || b.moved) && overlapping(a.box, b.box)) out_.push_back(ordered(a.id, b.id));
     }
-    /// Two boxes of which at least one bounds several.
+    /// Whether two boxes overlap of which at least one bounds several.
     bool overlapping(const Aabb<T>& a, const Aabb<T>& b) {
       ++count_;
       return overlap(a, b);
@@ -106,7 +106,7 @@ class BoxTable {
   };
 
   /// The pairs that overlap, sorted, of those for which `each_pair(test)` calls `test(place, place)`; `moved_only`: of
-  /// which at least one moved. What moved counts as still from then on. Returns how many boxes were compared.
+  /// which at least one moved. Boxes that moved count as still from then on. Returns the number of comparisons.
   template <class EachPair>
   std::uint64_t collect_pairs(std::vector<IdPair>& out, bool moved_only, const EachPair& each_pair) {
     out.clear();
@@ -127,8 +127,8 @@ class BoxTable {
   std::unordered_map<std::uint32_t, std::uint32_t> place_;
 };
 
-/// Tells whether a box that moves along a straight line touches another: slabs (Kay, Kajiya 1986, "Ray tracing complex
-/// scenes") of the other grown by this one's half extents. Conservative by the rounding of its operations.
+/// The test whether a box that moves along a straight line touches another: slabs (Kay, Kajiya 1986, "Ray tracing
+/// complex scenes") of the other grown by this one's half extents. Conservative by the rounding of its operations.
 template <class T>
 class SweptBox {
  public:
@@ -152,11 +152,11 @@ class SweptBox {
     }
     return enter <= leave;
   }
-  /// What it passes through.
+  /// The bounds of the box on its whole way.
   Aabb<T> bounds() const { return merged(box_, Aabb<T>{box_.lower + motion_, box_.upper + motion_}); }
 
  private:
-  /// More than a number has lost by the few operations it came about with. The infinite ends of boxes are exact.
+  /// A bound for the rounding of a number by the few operations that made it. The infinite ends of boxes are exact.
   static T noise_of(T v) {
     const T size = std::abs(v);
     return size <= std::numeric_limits<T>::max() ? T(4) * std::numeric_limits<T>::epsilon() * size : T(0);

@@ -8,12 +8,12 @@ namespace graze {
 
 namespace {
 
-/// So few boxes are a leaf: testing all of them costs less than another plane.
+/// The most boxes of a leaf: testing all of them costs less than another plane.
 constexpr std::size_t max_leaf = 8;
 
 /// A k-d tree over the boxes of a table. Each plane goes through the median of the centres, so that at most half of the
 /// boxes are on either side and log2(n) bounds the depth. A box that touches the plane stays with it; hence boxes on
-/// different sides never overlap. Each node knows the bounds of all that is in and below it.
+/// different sides never overlap. Each node has the bounds of all boxes in and below it.
 template <class T>
 class Tree {
  public:
@@ -32,7 +32,7 @@ class Tree {
     for (std::size_t n = nodes_.size(); n-- > 0;) bound(boxes, nodes_[n]);  // children come after their parents
   }
 
-  /// `test(place, place)` for all pairs that may overlap.
+  /// Calls `test(place, place)` for all pairs that may overlap.
   template <class Test>
   void for_each_pair(const BoxTable<T>& boxes, Test& test) {
     for (const Node& node : nodes_) {
@@ -50,7 +50,7 @@ class Tree {
       }
     }
   }
-  /// `see(place)` for all boxes, except below where `enter(bounds)` refuses.
+  /// Calls `see(place)` for all boxes, except below where `enter(bounds)` refuses.
   template <class Enter, class See>
   void for_each(const Enter& enter, const See& see) const {
     std::vector<std::uint32_t> stack(1, 0u);
@@ -89,7 +89,7 @@ class Tree {
 
   auto at(std::uint32_t index) { return order_.begin() + static_cast<std::ptrdiff_t>(index); }
 
-  /// Makes a node of the range and of all below it; 0 if there is nothing in it.
+  /// Makes the node of a range and all nodes below it, and returns its number; 0 for an empty range.
   std::uint32_t divide(const BoxTable<T>& boxes, Range range) {
     if (range.size() == 0) return 0;
     const auto n = static_cast<std::uint32_t>(nodes_.size());
@@ -104,7 +104,7 @@ class Tree {
       const auto last = std::partition(middle, at(range.end), [&](std::uint32_t place) { return !above(place); });
       range.begin = left.end = static_cast<std::uint32_t>(middle - order_.begin());
       range.end = right.begin = static_cast<std::uint32_t>(last - order_.begin());
-      // They all meet the plane, so another axis tells them apart.
+      // All boxes meet the plane, so another axis separates them better.
       range.axis = best_axis(boxes, range, axis);
     } else {
       left.end = left.begin;
@@ -117,7 +117,8 @@ class Tree {
     nodes_[n].right = second;
     return n;
   }
-  /// Never outside the box, where overflow or denormal numbers would take it and a plane leave all on one side.
+  /// The centre of a box, kept inside it: overflow or denormal numbers could take it out, and a plane
+  /// leave all boxes on one side.
   static Vec3<T> center(const Aabb<T>& box) { return greatest(box.lower, least(box.center(), box.upper)); }
   void sort(const BoxTable<T>& boxes, const Range& range) {
     std::sort(at(range.begin), at(range.end), [&](std::uint32_t i, std::uint32_t j) {
@@ -125,7 +126,7 @@ class Tree {
     });
   }
   /// The axis, other than `excluded`, on which the centres spread most relative to the boxes' lengths: there a plane
-  /// meets the fewest. In double, where no sum of floats overflows; one of doubles makes a worse choice, no more.
+  /// meets the fewest. In double, where no sum of floats overflows; an overflow of doubles only makes a worse choice.
   std::size_t best_axis(const BoxTable<T>& boxes, const Range& range, std::size_t excluded) const {
     Aabb<T> centers = Aabb<T>::empty();
     Vec3<double> lengths{};

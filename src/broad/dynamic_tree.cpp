@@ -89,7 +89,7 @@ void DynamicTree<T>::pairs(std::vector<IdPair>& out) {
   refresh();
   Storage& s = *kept_;
   if (s.is_known && s.moved.size() < s.ids.size() / max_moved_share) {
-    // What was found the last time still holds for what did not move.
+    // Pairs of the last call still hold where neither box moved.
     const auto is_old = [&](std::uint32_t id) {
       const std::uint32_t leaf = s.ids.find(id);
       return leaf != IdTable::none && (state_[leaf] & moved) == 0;
@@ -104,7 +104,7 @@ void DynamicTree<T>::pairs(std::vector<IdPair>& out) {
     s.tests = each_pair([&](std::uint32_t i, std::uint32_t j) { out.push_back(ordered(id_[i], id_[j])); });
     s.sort(out, s.ids.size());
   }
-  // Kept only where few move: else it would be of no use the next time.
+  // Pairs are kept only where few boxes moved: else they would be of no use the next time.
   s.is_known = s.moved.size() < s.ids.size() / max_moved_share || s.moved.empty();
   if (s.is_known) s.known = out;
   s.lost = false;
@@ -120,7 +120,7 @@ void DynamicTree<T>::moved_pairs(std::vector<IdPair>& out) {
   settle();
 }
 
-/// Each of what moved in the tree, or, where that is much, all pairs.
+/// Finds the pairs of boxes that moved: one walk through the tree for each, or where many moved one for all pairs.
 template <class T>
 void DynamicTree<T>::moved_of(std::vector<IdPair>& out) {
   Storage& s = *kept_;
@@ -151,7 +151,7 @@ std::uint64_t DynamicTree<T>::each_pair(const Emit& emit) {
       if (overlap(box_[open_[i]], box_[open_[j]])) emit(open_[i], open_[j]);
     tests += i + each_overlapping_below(0, box_[open_[i]], [&](std::uint32_t leaf) { emit(open_[i], leaf); });
   }
-  // Nodes or leaves whose bounds overlap, or a node with itself.
+  // The stack holds nodes or leaves whose bounds overlap, or a node with itself.
   auto& stack = kept_->pair_stack;
   const auto visit = [&](std::uint32_t a, std::uint32_t b) {
     if (!TreeChild::is_leaf(a) || !TreeChild::is_leaf(b))
@@ -205,8 +205,8 @@ template <class T>
 void DynamicTree<T>::sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const {
   refresh();
   out.clear();
-  // Rounding might let the bounds of a node be missed though a box in it is just hit: hence wider for nodes, by more
-  // than the sum of the test's roundings.
+  // Rounding might let the bounds of a node be missed though a box in it is just hit: hence a wider box for nodes, by
+  // more than the sum of the test's roundings.
   const T reach = greatest(greatest(max_abs(box.lower), max_abs(box.upper)), max_abs(motion));
   const T more = T(32) * std::numeric_limits<T>::epsilon() * reach;
   const SweptBox<T> accept(box, motion);

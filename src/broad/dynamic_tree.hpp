@@ -1,4 +1,4 @@
-// What a dynamic tree keeps from call to call beside its nodes, and the numbers it is steered by.
+// The state of a dynamic tree between calls, beside its nodes, and the numbers that steer it.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// Where more than one in so many moved, all pairs are found by one walk through the tree, in which neighbours share
-/// most of the way, and not box by box.
+/// The share of boxes, one in so many, above which all pairs are found by one walk through the tree, in which
+/// neighbours share most of the way, and not box by box.
 constexpr std::size_t max_moved_share = 4;
 
 template <class T>
@@ -25,7 +25,7 @@ struct DynamicTree<T>::Storage {
   std::vector<std::uint8_t> worn_mark;  ///< of each node: it is in the next list
   std::vector<std::uint32_t> worn;
   bool all_worn = false;
-  std::size_t credit = 0;  ///< so many boxes may be built anew
+  std::size_t credit = 0;  ///< number of boxes that may be built anew
 
   struct Task {
     std::uint32_t node, begin, end;

@@ -1,4 +1,4 @@
-// How a dynamic tree follows its boxes: everything here changes the speed of answers and none of them.
+// The updates by which a dynamic tree follows its boxes: they change the speed of answers, and no answer.
 #include <algorithm>
 
 #include "broad/dynamic_tree.hpp"
@@ -10,15 +10,16 @@ namespace {
 /// The room that a node leaves around each of its boxes, in lengths of that box. Measured, frames of boxes that drift
 /// by a hundredth or by a twentieth of their length take the same time with half and with twice as much.
 constexpr double room_share = 0.1;
-/// A node is worn when its area is so many times what it was built with, and then its parent is built anew. Measured on
-/// the same: 1.3 is as good, 2 takes a tenth longer and 3 a third.
+/// The multiple of the area that a node was built with from which on it is worn, and its parent is built anew. Measured
+/// on the same frames: 1.3 is as good, 2 takes a tenth longer and 3 a third.
 constexpr double worn_area = 1.5;
-/// Everything is built anew where more than one box in so many has to be put in, or one node in so many is worn.
+/// The shares of boxes to be put in and of worn nodes, one in so many, above which everything is built anew.
 constexpr std::size_t max_far_share = 4, max_worn_share = 4;
-/// Each box that leaves its node pays for so many to be built anew, so that one that jumps about does not make the tree
-/// be built over and over.
+/// The number of boxes that each box that leaves its node allows to be built anew, so that a box that jumps about does
+/// not make the tree be built over and over.
 constexpr std::size_t credit_per_change = 16;
-/// Deeper than anything that is built: so deep, one box after the other has been put into the same place.
+/// The depth of an insertion above which the tree is built anew: no tree is built so deep, so that one box after the
+/// other has been put into the same place.
 constexpr unsigned max_depth = 100;
 /// A tree with fewer children a node than one in so many is built anew.
 constexpr std::size_t max_empty_share = 6;
@@ -27,7 +28,7 @@ template <class T>
 Aabb<T> with_room(const Aabb<T>& box) {
   return inflated(box, static_cast<T>(room_share) * max_abs(box.extent()));
 }
-/// In double, where squares of floats do not overflow.
+/// The area in double, where squares of floats do not overflow.
 template <class T>
 double area(const Aabb<T>& box) {
   return surface_area(Aabb<double>{converted<double>(box.lower), converted<double>(box.upper)});
@@ -42,7 +43,7 @@ bool is_open(const Aabb<T>& box) {
 template <class T>
 void DynamicTree<T>::update() {
   Storage& s = *kept_;
-  // Then building all costs less than looking at each.
+  // Building everything costs less than looking at each box where most of them wait.
   const bool most = s.waiting.size() > s.ids.size() / 2;
   s.credit += credit_per_change * s.waiting.size();
   s.far.clear();
@@ -108,7 +109,7 @@ void DynamicTree<T>::hang(std::uint32_t n, std::uint32_t place, const Aabb<T>& b
   }
 }
 
-/// Out of the tree or the list of open ones, if it is in one. Bounds stay as they are; empty nodes go.
+/// Takes a leaf out of the tree or the list of open ones, if it is in one. Bounds stay as they are; empty nodes go.
 template <class T>
 void DynamicTree<T>::take_out(std::uint32_t leaf) {
   Storage& s = *kept_;
@@ -138,8 +139,8 @@ void DynamicTree<T>::take_out(std::uint32_t leaf) {
   }
 }
 
-/// Into the node or beside the leaf whose bounds grow least. A free place where nothing else has to grow costs nothing:
-/// it is tested with its neighbours in any case.
+/// Puts a leaf into the node or beside the leaf whose bounds grow least. A free place where nothing else has to grow
+/// costs nothing: it is tested with its neighbours in any case.
 template <class T>
 void DynamicTree<T>::put(std::uint32_t leaf) {
   const Aabb<T>& box = box_[leaf];
@@ -170,7 +171,7 @@ void DynamicTree<T>::put(std::uint32_t leaf) {
       n = child;
       continue;
     }
-    // A free place is better than a leaf's company of no area, too.
+    // A free place is better than a new node with another leaf, even where that adds no area.
     if (free != width) {
       hang(n, free, box, leaf | TreeChild::leaf_bit);
       break;
@@ -187,7 +188,7 @@ void DynamicTree<T>::put(std::uint32_t leaf) {
   stretch(n, room);
 }
 
-/// Makes the node and those around it as large as needed.
+/// Makes the node and its ancestors as large as needed.
 template <class T>
 void DynamicTree<T>::stretch(std::uint32_t n, const Aabb<T>& by) {
   Storage& s = *kept_;
@@ -204,7 +205,7 @@ void DynamicTree<T>::stretch(std::uint32_t n, const Aabb<T>& by) {
     n = node.parent;
   }
 }
-/// Makes those around the node as small as they can be.
+/// Makes the ancestors of the node as small as they can be.
 template <class T>
 void DynamicTree<T>::tighten(std::uint32_t n) {
   while (n != 0) {
@@ -229,7 +230,7 @@ void DynamicTree<T>::rebuild_worn() {
   std::size_t kept = 0;
   for (const std::uint32_t worn : s.worn) {
     if (s.worn_mark[worn] == 0) continue;  // it went with what was around it
-    // What is missing in one has gone to those beside it.
+    // Boxes that left a worn node have gone to those beside it.
     std::uint32_t top = nodes_[worn].parent;
     while (s.worn_mark[top] != 0) top = nodes_[top].parent;
     if (top == 0 && s.credit >= s.ids.size()) return build_all();
@@ -256,7 +257,7 @@ void DynamicTree<T>::build_all() {
   s.credit = 0;
   build(0);
 }
-/// Unless more is below the node than there is credit for.
+/// Builds all below a node anew and returns true, unless it is more than there is credit for.
 template <class T>
 bool DynamicTree<T>::build_below(std::uint32_t top) {
   Storage& s = *kept_;
@@ -285,7 +286,7 @@ bool DynamicTree<T>::build_below(std::uint32_t top) {
   return true;
 }
 
-/// The items of `splits` into and below a node.
+/// Builds the items of `splits` into and below a node.
 template <class T>
 void DynamicTree<T>::build(std::uint32_t root) {
   Storage& s = *kept_;

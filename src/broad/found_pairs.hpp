@@ -1,4 +1,4 @@
-// Where kernels put the pairs that they find.
+// The arrays into which kernels put the pairs that they find.
 //
 // Guarantee: grows as needed, up to a limit where one is set, and keeps its memory for the next frame.
 #pragma once
@@ -25,11 +25,11 @@ inline const std::uint32_t* numbers(std::span<const IdPair> pairs) {
 
 class FoundPairs {
  public:
-  /// Kernels stop at some number of pairs between `most` and four times as many: then `is_full`, and what is held is of
-  /// no use.
+  /// Empties the arrays. Kernels stop at some number of pairs between `most` and four times as many: then `is_full`,
+  /// and the pairs that are held are of no use.
   void clear(std::size_t most = ~std::size_t{0}) { count_ = 0, most_ = most, is_full_ = false; }
   bool is_full() const { return is_full_; }
-  /// For one kernel or several; `take` what it holds before the next use of this object.
+  /// A sink for one kernel or several; give it to `take` before the next use of this object.
   PairSink sink() {
     return {first_.data(),
             second_.data(),
@@ -49,8 +49,8 @@ class FoundPairs {
     if (count_ == s.capacity) grow(s);
     first_[count_] = first, second_[count_++] = second;
   }
-  /// Of those from `from` on, drops all but those for which `keep(first, second)` holds; `fetch(second)` is called some
-  /// pairs ahead.
+  /// Drops, of the pairs from `from` on, all but those for which `keep(first, second)` holds; `fetch(second)` is called
+  /// some pairs ahead.
   template <class Keep, class Fetch>
   void keep_if(std::size_t from, const Keep& keep, const Fetch& fetch) {
     constexpr std::size_t ahead = 16;

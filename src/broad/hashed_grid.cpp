@@ -7,12 +7,13 @@ namespace graze {
 
 namespace {
 
-/// Cells for the median box: of twice its length, so that it lies in (1 + 1/2)^3 = 3.4 cells on average.
+/// The length of a cell, in lengths of the median box, which then lies in (1 + 1/2)^3 = 3.4 cells on average.
 constexpr double cell_per_box = 2;
-/// A box in more cells than this is held apart and tested against all: four along each axis, so that boxes of up to
-/// six times the median are in the grid.
+/// The most cells of a box in the grid; one in more is held apart and tested against all. Four along each axis, so that
+/// boxes of up to six times the median are in the grid.
 constexpr double max_cells_per_box = 64;
-/// Further cells from the origin than this are one: neighbouring doubles are more than a cell apart there.
+/// The distance from the origin, in cells, beyond which all cells are one: neighbouring doubles are more than a cell
+/// apart there.
 constexpr double farthest_cell = 0x1p52;
 
 using Cell = std::array<std::int64_t, 3>;
@@ -40,14 +41,15 @@ Cell first_common(const Cell& a, const Cell& b) {
   return {std::max(a[0], b[0]), std::max(a[1], b[1]), std::max(a[2], b[2])};
 }
 
-/// Any mixing will do: cells are compared after their hashes. Multiplied by large primes, as in the paper, then
-/// Fibonacci hashing, which takes the upper bits (Knuth, "The art of computer programming", volume 3, section 6.4).
+/// The hash of a cell. Any mixing will do, since cells are compared after their hashes: the products with large primes
+/// of Teschner and others (2003), then Fibonacci hashing, which takes the upper bits (Knuth, "The art of computer
+/// programming", volume 3, section 6.4).
 std::uint64_t hash(const Cell& cell) {
   const auto bits = [&](std::size_t i) { return static_cast<std::uint64_t>(cell[i]); };
   return ((bits(0) * 73856093u) ^ (bits(1) * 19349663u) ^ (bits(2) * 83492791u)) * 0x9E3779B97F4A7C15u;
 }
 
-/// The boxes of a table by cell. All that is in a bucket stands together.
+/// The boxes of a table by cell. The items of a bucket stand together.
 template <class T>
 class Grid {
  public:
@@ -88,7 +90,7 @@ class Grid {
   double cell_size() const { return cell_; }
   double size() const { return static_cast<double>(items_.size()); }
 
-  /// `visit(place)` for all that is in the cell.
+  /// Calls `visit(place)` for all boxes in the cell.
   template <class Visit>
   void for_each_in(const Cell& cell, const Visit& visit) const {
     const std::size_t b = bucket(cell);
@@ -96,7 +98,7 @@ class Grid {
       if (items_[i].cell == cell) visit(items_[i].place);
   }
 
-  /// `test(place, place)` for all pairs that may overlap. Several cells may be in one bucket.
+  /// Calls `test(place, place)` for all pairs that may overlap. Several cells may be in one bucket.
   template <class Test>
   void for_each_pair(const BoxTable<T>& boxes, Test& test) const {
     for (std::size_t b = 0; b + 1 < start_.size(); ++b) {
@@ -134,8 +136,8 @@ class Grid {
   }
 
  private:
-  /// By the median, which a few large boxes do not change, of what has a length. Points can only meet where they are
-  /// equal, so that for points alone a small part of what they span will do.
+  /// Chooses the size of cells by the median of the boxes that have a length, which a few large boxes do not change.
+  /// Points can only meet where they are equal, so that for points alone a small part of what they span will do.
   void choose_cell(const BoxTable<T>& boxes) {
     lengths_.clear();
     double farthest = 0;
@@ -158,7 +160,7 @@ class Grid {
     return static_cast<std::int64_t>(std::floor(clamp(static_cast<double>(x) / cell_, -farthest_cell, farthest_cell)));
   }
 
-  /// Counting sort by bucket; within one, by place.
+  /// Fills the buckets by counting sort; within one, items stand by place.
   void fill(std::size_t count) {
     bits_ = 1;
     while ((std::size_t(1) << bits_) < count) ++bits_;
@@ -206,7 +208,7 @@ class HashedGrid final : public Rebuilt<T, Grid<T>> {
     std::sort(out.begin(), out.end());
   }
 
-  /// In steps of about a cell, so that few cells are visited beside the way.
+  /// Sweeps in steps of about a cell, so that few cells are visited beside the way.
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
     const Grid<T>& grid = this->index();
     const BoxTable<T>& boxes = this->boxes();
@@ -243,7 +245,7 @@ class HashedGrid final : public Rebuilt<T, Grid<T>> {
       if (accept(this->boxes()[place].box)) out.push_back(this->boxes()[place].id);
   }
 
-  /// `visit(cells)` for what the box passes through in each of `steps` equal times.
+  /// Calls `visit(cells)` with the cells that the box passes through in each of `steps` equal times.
   template <class Visit>
   static void for_each_step(const Grid<T>& grid, const Aabb<T>& box, const Vec3<T>& motion, double steps,
                             const Visit& visit) {

@@ -1,14 +1,14 @@
 // The box queries of a hierarchy of bounds over the boxes of a table.
 //
-// Guarantee: those of the interface (`BroadPhase`), whatever the hierarchy. It has `for_each(enter, see)`, which calls
-// `see(place)` for all boxes except below where `enter(bounds)` refuses.
+// Guarantee: the answers of the interface (`BroadPhase`), whatever the hierarchy. A hierarchy has `for_each(enter,
+// see)`, which calls `see(place)` for all boxes except below where `enter(bounds)` refuses.
 #pragma once
 
 #include "broad/boxes.hpp"
 
 namespace graze {
 
-/// The sorted ids of all boxes that `accept(box)`, looked for where `enter(bounds)`.
+/// The sorted ids of all boxes for which `accept(box)` holds, looked for where `enter(bounds)` holds.
 template <class T, class Hierarchy, class Enter, class Accept>
 void collect(const Hierarchy& hierarchy, const BoxTable<T>& boxes, const Enter& enter, const Accept& accept,
              std::vector<std::uint32_t>& out) {
@@ -25,7 +25,7 @@ void query(const Hierarchy& hierarchy, const BoxTable<T>& boxes, const Aabb<T>& 
   collect(hierarchy, boxes, accept, accept, out);
 }
 
-/// The bounds of a node must not be missed where a box in it is just hit: hence the wider box for nodes.
+/// Sweeps a box. The bounds of a node must not be missed where a box in it is just hit: hence a wider box for nodes.
 template <class T, class Hierarchy>
 void sweep(const Hierarchy& hierarchy, const BoxTable<T>& boxes, const Aabb<T>& box, const Vec3<T>& motion,
            std::vector<std::uint32_t>& out) {

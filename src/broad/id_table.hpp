@@ -1,4 +1,4 @@
-// From a caller's id to the place of what it names.
+// A table from a caller's id to the place of the thing with that id.
 //
 // Guarantee: constant time. Ids that lie close together, the usual case, are an array's indices and cost one load; any
 // others are hashed.
@@ -15,14 +15,14 @@ class IdTable {
  public:
   static constexpr std::uint32_t none = ~0u;
 
-  /// `none` for an id that is not in use.
+  /// The place of an id; `none` for one that is not in use.
   std::uint32_t find(std::uint32_t id) const {
     if (id < near_.size()) return near_[id];
     if (far_.empty()) return none;
     const auto found = far_.find(id);
     return found == far_.end() ? none : found->second;
   }
-  /// For an id that is not in use.
+  /// Adds an id that is not in use.
   void insert(std::uint32_t id, std::uint32_t place) {
     ++size_;
     if (id >= near_.size() && id / spread < size_ + few) extend(id);
@@ -31,7 +31,7 @@ class IdTable {
     else
       far_.emplace(id, place);
   }
-  /// For an id that is in use.
+  /// Removes an id that is in use.
   void erase(std::uint32_t id) {
     --size_;
     if (id < near_.size())
@@ -41,14 +41,14 @@ class IdTable {
   }
 
   std::size_t size() const { return size_; }
-  /// An id and its place, the pointer to the next, and the hash's bucket.
+  /// The bytes of the array, and of each hashed id with its place, the pointer to the next one, and the bucket.
   std::size_t memory() const {
     return near_.capacity() * sizeof(std::uint32_t) + far_.size() * 2 * sizeof(void*) +
            far_.bucket_count() * sizeof(void*);
   }
 
  private:
-  /// The array may have so many places an id: then it still takes no more memory than a hash table.
+  /// The places that the array may have for each id: up to here it takes no more memory than a hash table.
   static constexpr std::size_t spread = 4, few = 64;
 
   void extend(std::uint32_t id) {

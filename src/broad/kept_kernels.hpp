@@ -1,5 +1,5 @@
-// What is done with all boxes and all kept pairs in every frame: plain arrays in and out, so that it can be compiled
-// for each instruction set.
+// Kernels for all boxes and all kept pairs of every frame: plain arrays in and out, so that they can be compiled for
+// each instruction set.
 //
 // Guarantee: exact comparisons, nothing is rounded. A box is six numbers, the lower corner first, and a pair two
 // places.
@@ -18,7 +18,7 @@ GRAZE_DECLARE_KERNEL(
     /// stops after `most` of them. Returns how many.
     template <class T> std::uint32_t find_left(const T* boxes, const T* rooms, std::uint32_t count, std::uint32_t* left,
                                                std::uint32_t most);
-    /// Writes to `out`, in their order, those of `pairs` that overlap; not those of a place whose bit is set in
+    /// Writes to `out`, in their order, those of `pairs` that overlap, but for pairs with a place whose bit is set in
     /// `dropped`, unless that is null. `out` has room for all of them. Returns how many.
     template <class T> std::size_t keep_overlapping(const T* boxes, const std::uint32_t* pairs, std::size_t count,
                                                     const std::uint64_t* dropped, std::uint32_t* out);)

@@ -14,25 +14,26 @@ namespace {
 /// The room on each side of a box as a share of the length that half of the boxes exceed: more makes a list that lasts
 /// longer and is longer itself, by the cube of what it adds to the boxes.
 constexpr double room_per_length = 0.08;
-/// And no more than this share of its own length along the axis: dust beside large boxes and bundles of needles would
-/// else overlap by the thousand.
+/// The most room of a box on each side, as a share of its own length along the axis: dust beside large boxes and
+/// bundles of needles would else overlap by the thousand.
 constexpr double most_room = 0.25;
-/// Once more than one in so many boxes has left, a new list is cheaper: to look for the pairs of one takes about twice
-/// its share in finding all pairs.
+/// The share of boxes, one in so many, that may have left before a new list is cheaper: looking for the pairs of one
+/// takes about twice its share in finding all pairs.
 constexpr std::size_t boxes_per_left = 8;
-/// To make a list takes some 1.7 times as long as finding all pairs without one, and is tried where most boxes would
-/// stay in their rooms for so many frames.
+/// The frames for which most boxes would have to stay in their rooms for a list to be tried: making it takes some 1.7
+/// times as long as finding all pairs without one.
 constexpr int frames_to_last = 3;
-/// A list that was of use in fewer frames was not worth making: the next one waits, each time longer up to a limit.
+/// The frames below which a list was not worth making: the next one waits, each time longer up to a limit.
 constexpr std::size_t few_frames = 2, longest_pause = 63;
-/// Where boxes overlap more others than that, finding their pairs costs little more than going through a list of them,
-/// and the list would take more memory than the boxes.
+/// The mean number of pairs of a box above which no list is kept: finding the pairs costs little more than going
+/// through a list of them, and the list would take more memory than the boxes.
 constexpr std::size_t pairs_per_box = 8;
-/// So many boxes tell how far all of them move.
+/// The number of boxes whose motion stands for that of all.
 constexpr std::size_t most_samples = 256;
-/// Pairs of the list a task: some microseconds of work.
+/// Pairs of the list in a task: some microseconds of work.
 constexpr std::size_t pairs_per_task = 4096;
-/// So many that overlap much may be in the list: to go through it costs less for them than to compare them anew.
+/// The number of boxes that overlap much and may still be in the list: going through it costs less for them than
+/// comparing them anew.
 constexpr std::size_t few_wide = 4;
 
 /// The place of sample `i`: steps of the golden ratio (Knuth 1998, "The Art of Computer Programming", volume 3, section
@@ -42,7 +43,7 @@ std::size_t sample_place(std::size_t i, std::size_t count) {
 }
 
 /// The box with `room` on each side, or less along those axes on which it is small. A box that lies at infinity has no
-/// length that is a number, and is given `room`: the lesser of that and what is not a number.
+/// length that is a number, and gets `room`, since `least` of that and a NaN is `room`.
 template <class T>
 Aabb<T> with_room(const Aabb<T>& box, const T& room) {
   const Vec3<T> d = least(Vec3<T>{room, room, room}, box.extent() * T(most_room));
@@ -83,8 +84,8 @@ void KeptPairs<T>::find_anew(std::span<const Aabb<T>> boxes, std::vector<IdPair>
   all_.sort_into(not_apart(out));
 }
 
-/// Puts the pairs of those apart among the others. Once they overlap far less than they did, others may take their
-/// part.
+/// Puts the pairs of the boxes apart among the others. Where they overlap far less than they did, other boxes may have
+/// taken their part, and the list ends.
 template <class T>
 void KeptPairs<T>::compare_apart(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
   wide_.merge(isa_, boxes, apart_, inner_, out);
@@ -93,7 +94,7 @@ void KeptPairs<T>::compare_apart(std::span<const Aabb<T>> boxes, std::vector<IdP
   if (2 * pairs < apart_pairs_) end_list();
 }
 
-/// Returns false where there is no list, or too many have left for it to be of use.
+/// Finds the pairs by the list. Returns false where there is none, or too many boxes have left for it to be of use.
 template <class T>
 bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, Executor& executor) {
   if (!has_list_) return false;
@@ -119,7 +120,7 @@ bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPa
   return true;
 }
 
-/// The list is for as many boxes as there were. New places are those of boxes that have no room at all.
+/// Fits the list to the number of boxes. New places are those of boxes that have no room at all.
 template <class T>
 void KeptPairs<T>::fit_list(std::size_t boxes) {
   if (boxes < rooms_.size()) {
@@ -135,7 +136,7 @@ void KeptPairs<T>::find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<
   left_sweep_.find_among(boxes, left, found_);
   const std::size_t among = found_.first().size();
   all_.find_over(boxes, left, found_);
-  // The grid has the rooms, and also those that their boxes have left and that are no more.
+  // The grid holds all rooms of the list, also those that their boxes have left and those of boxes that are gone.
   const auto is_in_room = [&](std::uint32_t i) { return i < boxes.size() && (has_left_[i / 64] >> (i % 64) & 1) == 0; };
   found_.keep_if(
       among, [&](std::uint32_t a, std::uint32_t b) { return is_in_room(b) && overlap(boxes[a], boxes[b]); },
@@ -147,8 +148,8 @@ void KeptPairs<T>::find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<
         if (overlap(boxes[a], boxes[b])) found_.add(a, b);
 }
 
-/// Room in `out` is made bit by bit: about half of the list overlaps, and room that is not used would have been cleared
-/// for nothing.
+/// Adds the pairs of the list that overlap. Room in `out` is made bit by bit: about half of the list overlaps, and room
+/// that is not used would have been cleared for nothing.
 template <class T>
 void KeptPairs<T>::keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped,
                                          std::vector<IdPair>& out, Executor& executor) {
@@ -168,8 +169,8 @@ void KeptPairs<T>::keep_overlapping_ones(std::span<const Aabb<T>> boxes, const s
   out.resize(kept);
 }
 
-/// The same by several threads: each task keeps the pairs of its part of the list where that begins, and they are laid
-/// one behind the other when all are done.
+/// Adds the pairs of the list that overlap by several threads: each task keeps the pairs of its part of the list where
+/// that begins, and they are laid one behind the other when all are done.
 template <class T>
 void KeptPairs<T>::keep_side_by_side(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped,
                                      std::vector<IdPair>& out, Executor& executor) {
@@ -188,15 +189,15 @@ void KeptPairs<T>::keep_side_by_side(std::span<const Aabb<T>> boxes, const std::
   });
 }
 
-/// Puts what was found where it belongs among the sorted pairs of `out`.
+/// Merges the found pairs into the sorted ones of `out`.
 template <class T>
 void KeptPairs<T>::merge_found(std::size_t boxes, std::vector<IdPair>& out) {
   std::size_t left = found_.first().size(), other = out.size();
   of_left_.resize(left);
   order_.sort(found_.first(), found_.second(), boxes, of_left_.data());
   out.resize(other + left);
-  // From behind: those after a pair that is put in move on, and those before all of them stay. Which is next is hard to
-  // foresee, so no branch depends on it.
+  // From behind: pairs after one that is put in move on, and those before all of them stay. A branch on which is next
+  // would be mispredicted often, so there is none.
   IdPair* const to = out.data();
   const IdPair* const from = of_left_.data();
   while (left > 0 && other > 0) {
@@ -225,7 +226,7 @@ bool KeptPairs<T>::is_worth_a_list(std::span<const Aabb<T>> boxes) {
   return (samples_.size() - stay) * boxes_per_left <= samples_.size();
 }
 
-/// What is left to most boxes on each side.
+/// The room on each side of most boxes, by the length that half of them exceed.
 template <class T>
 T KeptPairs<T>::room_of_most(std::span<const Aabb<T>> boxes) {
   lengths_.clear();

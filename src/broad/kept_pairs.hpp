@@ -5,11 +5,11 @@
 // A frame in which all boxes are in their rooms costs one look at each and one comparison for each pair of the list.
 // The pairs of boxes that have left their rooms are looked for (row_sweep.hpp) among themselves and with all others;
 // where they are many, the list is made anew; and where boxes move so far between frames that it would not last, all
-// pairs are found without one. What overlaps a good part of everything stays out of the list, which would be long with
-// it, and is compared with everything in each frame (wide_boxes.hpp); but for a floor or two.
+// pairs are found without one. Boxes that overlap a good part of all others stay out of the list, which would be long
+// with them, and are compared with all boxes in each frame (wide_boxes.hpp); but for a floor or two.
 //
-// Guarantee: exactly the overlapping pairs of closed boxes, sorted; a function of the boxes alone, since what is
-// remembered only says where to look.
+// Guarantee: exactly the overlapping pairs of closed boxes, sorted; a function of the boxes alone, since the list only
+// says where to look.
 #pragma once
 
 #include <span>

@@ -5,7 +5,7 @@ namespace graze::GRAZE_ISA {
 
 namespace {
 
-/// Boxes are fetched so many pairs ahead: places that are close in space may be anywhere in memory.
+/// The number of pairs by which boxes are fetched ahead: places that are close in space may be anywhere in memory.
 constexpr std::size_t ahead = 32;
 
 /// Six numbers a box fill three registers in turn with those of `lanes / 2` boxes.
@@ -30,8 +30,8 @@ template <class T>
          static_cast<int>(box[4] <= room[4]) & static_cast<int>(box[5] <= room[5]);
 }
 
-/// Four numbers from the first on are the lower corner and one more, four from the third on one more and the upper: one
-/// comparison tells of each corner, and the numbers that are one too many are left out of it.
+/// Whether two boxes overlap. Four numbers from the first on are the lower corner and one more, four from the third on
+/// one more and the upper corner: one comparison covers each corner, and its surplus number is left out.
 template <class T>
 [[gnu::always_inline]] inline std::uint32_t do_overlap(const T* a, const T* b) {
 #if defined(__x86_64__)

@@ -10,12 +10,12 @@ namespace {
 constexpr unsigned max_depth = 20;
 /// A cell with no more boxes keeps those that would fit its children: as many tests cost less than a level more.
 constexpr std::size_t max_crowd = 8;
-/// One in so many boxes that lie outside the root before the root is chosen anew.
+/// The share of boxes, one in so many, that may lie outside the root before it is chosen anew.
 constexpr std::size_t max_astray_share = 8;
 
 /// Cubes halved along each axis. A box belongs to the cell that its centre is in, on the level where a cell is as long
-/// as the box or more: then it sticks out by half a cell at most. Where boxes are put is a matter of speed only: each
-/// node knows the bounds of all boxes in and below it, and these alone decide what is looked at.
+/// as the box or more: then it sticks out by half a cell at most. The places of boxes are a matter of speed only: each
+/// node has the bounds of all boxes in and below it, and these alone decide what is looked at.
 template <class T>
 class LooseOctree final : public BroadPhase<T> {
  public:
@@ -52,13 +52,13 @@ class LooseOctree final : public BroadPhase<T> {
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
     graze::sweep(*this, boxes_, box, motion, out);
   }
-  /// `see(place)` for all boxes, except below where `enter(bounds)` refuses.
+  /// Calls `see(place)` for all boxes, except below where `enter(bounds)` refuses.
   template <class Enter, class See>
   void for_each(const Enter& enter, const See& see) const {
     std::vector<std::uint32_t> stack;
     visit(0, enter, see, stack);
   }
-  /// The cells as they are halved: without what boxes stick out of them.
+  /// The cells as they are halved, without the parts of boxes that stick out of them.
   void parts(std::vector<BroadPhasePart<T>>& out) const override {
     out.clear();
     if (boxes_.size() == 0) return;
@@ -119,7 +119,7 @@ class LooseOctree final : public BroadPhase<T> {
     if (is_finite(box) && !(max_abs(box.center() - root_.center) <= root_.half)) ++astray_;
     put(place, 0, root_, 0);
   }
-  /// Into the node or one below it. A full node hands on to its new children what fits them.
+  /// Puts a box into the node or one below it. A full node hands the boxes that fit its new children on to them.
   void put(std::uint32_t place, std::uint32_t node, Cube cube, unsigned depth) {
     const Aabb<T>& box = boxes_[place].box;
     for (;; ++depth) {
@@ -135,7 +135,7 @@ class LooseOctree final : public BroadPhase<T> {
     }
     hang(place, node);
   }
-  /// Half-infinite and NaN lengths, too, are not below any limit.
+  /// Whether a box fits a child of the cell. Infinite and NaN lengths are below no limit.
   static bool fits_child(const Aabb<T>& box, const Cube& cube, unsigned depth) {
     return depth < max_depth && max_abs(box.extent()) <= cube.half && is_finite(box);
   }
@@ -173,11 +173,11 @@ class LooseOctree final : public BroadPhase<T> {
     choose_root();
     nodes_.assign(1, {});
     for (std::uint32_t place = 0; place < boxes_.size(); ++place) put(place);
-    astray_ = 0;  // what is still outside stays there, and does not ask for another root
+    astray_ = 0;  // boxes that are still outside stay there, and do not call for another root
     nodes_built_ = nodes_.size();
   }
-  /// Around all but the outermost of the centres on each axis, and as much again: so a few boxes far away do not make
-  /// all others share a cell. Those then count for the outermost cells.
+  /// Chooses a root around all but the outermost of the centres on each axis, and as much again: so a few boxes far
+  /// away do not make all others share a cell. Those then count for the outermost cells.
   void choose_root() {
     root_ = {};
     std::vector<T> centers;
@@ -200,7 +200,7 @@ class LooseOctree final : public BroadPhase<T> {
     tighten();
     tests_ = boxes_.collect_pairs(out, moved_only, [&](auto& test) { within(0, test); });
   }
-  /// What left a node leaves its bounds too large. Children come after their parents.
+  /// Shrinks the bounds of nodes that boxes have left. Children come after their parents.
   void tighten() {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
       Node& node = nodes_[n];
@@ -210,7 +210,7 @@ class LooseOctree final : public BroadPhase<T> {
         for (unsigned c = 0; c < 8; ++c) node.bounds = merged(node.bounds, nodes_[node.children + c].bounds);
     }
   }
-  /// All pairs of which both are in or below the node.
+  /// Tests all pairs of which both are in or below the node.
   template <class Test>
   void within(std::uint32_t n, Test& test) {
     const Node& node = nodes_[n];
@@ -223,7 +223,7 @@ class LooseOctree final : public BroadPhase<T> {
       for (unsigned d = c + 1; d < 8; ++d) between(node.children + c, node.children + d, test);
     }
   }
-  /// All pairs of one in or below the first node and one in or below the second.
+  /// Tests all pairs of one in or below the first node and one in or below the second.
   template <class Test>
   void between(std::uint32_t m, std::uint32_t n, Test& test) {
     const Node &a = nodes_[m], &b = nodes_[n];
@@ -236,7 +236,7 @@ class LooseOctree final : public BroadPhase<T> {
       for (unsigned d = 0; d < 8; ++d) between(a.children + c, b.children + d, test);
     }
   }
-  /// All pairs of an item of the node and one in or below the other.
+  /// Tests all pairs of an item of the node and one in or below the other.
   template <class Test>
   void against(const Node& node, std::uint32_t n, Test& test) {
     for (const std::uint32_t item : node.items) {
@@ -247,7 +247,7 @@ class LooseOctree final : public BroadPhase<T> {
     }
   }
 
-  /// `see(place)` for all boxes in and below the node, except where `enter(bounds)` refuses.
+  /// Calls `see(place)` for all boxes in and below the node, except where `enter(bounds)` refuses.
   template <class Enter, class See>
   void visit(std::uint32_t root, const Enter& enter, const See& see, std::vector<std::uint32_t>& stack) const {
     stack.assign(1, root);

@@ -8,7 +8,7 @@ namespace graze {
 
 namespace {
 
-/// An id taken out of a list in ascending order, and put into one.
+/// Takes an id out of a list in ascending order; `insert` puts one into it.
 template <class Ids>
 void erase(Ids& ids, std::uint32_t id) {
   auto* at = std::lower_bound(ids.begin(), ids.end(), id);
@@ -50,7 +50,7 @@ void PairChanges<T>::move(std::uint32_t id, const Aabb<T>& box) {
   touch(id);
 }
 
-/// The pairs come in order, and so do the partners of each id: first the smaller ones, then the larger.
+/// Gathers the partners of each touched id. The pairs are sorted, and so are the partners: the smaller ones come first.
 template <class T>
 void PairChanges<T>::gather_pairs_of_touched() {
   boxes_->moved_pairs(found_);
@@ -60,7 +60,8 @@ void PairChanges<T>::gather_pairs_of_touched() {
     if (is_touched_[p.a]) now_[p.a].push_back(p.b);
 }
 
-/// A pair of two that were touched is told of the smaller id; one that was not has its own list put right.
+/// Compares the partners of a touched id with those that were reported. A pair of two touched ids is reported for the
+/// smaller one; a partner that was not touched has its own list put right.
 template <class T>
 void PairChanges<T>::compare(std::uint32_t id, std::vector<IdPair>& begun, std::vector<IdPair>& ended) {
   const Ids &then = told_[id], &now = now_[id];

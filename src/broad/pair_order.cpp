@@ -11,18 +11,19 @@ namespace graze {
 
 namespace {
 
-/// Pairs are dealt into buckets of about so many by their smaller place: what one takes to sort fits into the second
-/// cache. More buckets than the most would outgrow the caches' own tables.
+/// The number of pairs that a bucket is to have; pairs are dealt by their smaller place. Sorting so many stays in the
+/// second cache. More buckets than the most would outgrow the caches' own tables.
 constexpr std::size_t pairs_per_bucket = 32768;
 constexpr int most_bucket_bits = 11;
-/// Up to so many pairs of one place are sorted by insertion.
+/// The most pairs of one place that are sorted by insertion.
 constexpr std::uint32_t few = 24;
-/// From one place in so many on, marking places and looking through all of them is faster than comparing.
+/// The share of places, one in so many, from which on marking places and looking through all of them is faster than
+/// comparing.
 constexpr std::size_t sparse = 256;
 
 std::uint64_t key(const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; }
 
-/// For pairs that are nearly in order.
+/// Sorts pairs that are nearly in order.
 void insertion_sort(IdPair* pairs, std::size_t count) {
   for (std::size_t i = 1; i < count; ++i) {
     const IdPair p = pairs[i];
@@ -77,7 +78,8 @@ void PairOrder::sort(std::span<const std::uint32_t> first, std::span<const std::
   }
 }
 
-/// By counting, then the few of each place by insertion: one pass over all of them, which are nearly in order then.
+/// Sorts a bucket by counting, then the few pairs of each place by insertion: one pass over all of them, nearly in
+/// order.
 template <class Source>
 void PairOrder::sort_bucket(const Source& source, std::size_t count, std::uint32_t lowest, std::uint32_t places,
                             IdPair* to, std::size_t boxes) {
@@ -103,7 +105,7 @@ void PairOrder::sort_bucket(const Source& source, std::size_t count, std::uint32
   insertion_sort(to, count);
 }
 
-/// The pairs of one place.
+/// Sorts the many pairs of one place.
 void PairOrder::sort_many(IdPair* pairs, std::size_t count, std::size_t boxes) {
   if (count < boxes / sparse) {
     std::sort(pairs, pairs + count, [](const IdPair& p, const IdPair& q) { return p.b < q.b; });

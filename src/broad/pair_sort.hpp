@@ -15,7 +15,7 @@ namespace graze {
 
 class PairSort {
  public:
-  /// `ids` is how many ids there may be.
+  /// Sorts the pairs. `ids`: the number of ids that there may be.
   void operator()(std::vector<IdPair>& pairs, std::size_t ids) {
     std::uint32_t largest = 0, largest_b = 0;
     for (const IdPair& pair : pairs) {
@@ -54,7 +54,8 @@ class PairSort {
       second_[j] = b;
     }
   }
-  /// A box that overlaps many: one bit an id, one for each 64 of these, and then the bits in order.
+  /// Sorts the partners of a box that overlaps many: one bit an id, one for each 64 of these, and then the bits in
+  /// order.
   void sort_by_bits(std::size_t from, std::size_t end) {
     const auto bit = [](std::size_t i) { return std::uint64_t{1} << i % 64; };
     const auto lowest = [](std::uint64_t word) { return static_cast<std::size_t>(std::countr_zero(word)); };

@@ -44,9 +44,10 @@ class Digits {
   std::size_t count_ = 0;
 };
 
-/// Least significant digit first (Knuth 1998, "The Art of Computer Programming", volume 3, section 5.2.5); the buckets
-/// of all digits are counted in one go. Item i is `source(i)`, which is asked for twice, and `key(item)` its key. `to`
-/// and `scratch` have room for `size` items each; returns the one of them that holds the result.
+/// Sorts by radix, the least significant digit first (Knuth 1998, "The Art of Computer Programming", volume
+/// 3, section 5.2.5); the buckets of all digits are counted in one go. Item i is `source(i)`, which is called
+/// twice, and `key(item)` its key. `to` and `scratch` have room for `size` items each; returns the one of
+/// them that holds the result.
 template <class Item, class Source, class Key>
 Item* radix_sort(std::size_t size, const Source& source, const Digits& digits, const Key& key, Item* to,
                  Item* scratch) {
@@ -79,7 +80,7 @@ Item* radix_sort(std::size_t size, const Source& source, const Digits& digits, c
   return to;
 }
 
-/// How many bits the numbers below `count` take.
+/// The number of bits that the numbers below `count` take.
 inline int bits_below(std::uint64_t count) { return count <= 1 ? 0 : static_cast<int>(std::bit_width(count - 1)); }
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// A broad phase whose structure over all boxes is built anew by whoever asks first after something changed.
+// A broad phase whose structure over all boxes is built anew by the first query after a change.
 //
 // Guarantee: queries from several threads at a time build it once, and none sees it half built.
 #pragma once
@@ -36,7 +36,7 @@ class Rebuilt : public BroadPhase<T> {
 
  protected:
   const BoxTable<T>& boxes() const { return boxes_; }
-  /// Of the boxes as they are now.
+  /// The structure over the boxes as they are now.
   const Index& index() const {
     refresh();
     return index_;

@@ -9,22 +9,22 @@ namespace graze {
 
 namespace {
 
-/// Items are sorted by so many bits at the most, three digits: rows take up to 24 of them, X what is left.
+/// The most bits by which items are sorted, three digits: rows take up to 24 of them, X the rest.
 constexpr int most_key_bits = 3 * Digits::most_bits;
 /// The bits of `began`.
 constexpr int began_bits = 2;
-/// X is cut finer by this many bits than there are boxes in a row, so that few share a place and need another look.
+/// The bits by which X is cut finer than boxes in a row are many, so that few share a place and need another look.
 constexpr int spare_bits = 3;
-/// And at least into so many places to the length of a box: in heaps far apart the boxes of a row share few of them.
+/// The least number of places along X in the length of a box: in heaps far apart the boxes of a row share few of them.
 constexpr int places_per_longest = 16;
-/// Up to so many that share a place along X are put in order one by one as they are filled in.
+/// The most boxes with the same place along X that are put in order one by one as they are filled in.
 constexpr std::size_t few_ties = 12;
-/// Boxes are fetched from the caller's array this far ahead.
+/// The number of boxes by which those of the caller's array are fetched ahead.
 constexpr std::size_t ahead = 16;
-/// A strip is so many times as wide as the longest box: wider ones hold fewer boxes twice, narrower ones compare fewer.
+/// The width of a strip in lengths of the longest box: wider ones hold fewer boxes twice, narrower ones compare fewer.
 constexpr int strip_per_longest = 2;
 
-/// Vectors only grow: what is past the end of one frame is there for the next.
+/// Makes a vector at least so long. Vectors only grow: memory past the end of one frame is there for the next.
 template <class V>
 void make_room(V& vector, std::size_t size) {
   if (vector.size() < size) vector.resize(size + size / 8);
@@ -54,7 +54,7 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
   const T range = spans.highest.x - spans.lowest.x;
   layout_.place_bits = bits_below(boxes.size());
   const int key_shift = layout_.place_bits + began_bits, key_bits = std::min(most_key_bits, 63 - key_shift);
-  // As many for X as the digits that are looked at anyway have room for.
+  // X gets as many bits as the digits have room for that are looked at anyway.
   const int by_number = bits_below(2 * n / std::min<std::uint64_t>(grid, n) + 1) + spare_bits;
   const T lengths = range / spans.longest.x * T(places_per_longest);  // infinite for points, and not a number for one
   const int by_length = lengths < T(1 << 15) ? bits_below(static_cast<std::uint64_t>(lengths) + 1) : by_number;
@@ -62,7 +62,7 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
   const int bits_x =
       std::min(key_bits, (wanted + Digits::most_bits - 1) / Digits::most_bits * Digits::most_bits) - bits_row;
 
-  // Rounding keeps the order of what it rounds, so the places along X never descend either; the clamp is for the last.
+  // Rounding is monotonic, so that the places along X never descend either; the clamp is for the last.
   const T most = static_cast<T>((std::uint32_t{1} << std::min(bits_x, 20)) - 1);
   T scale = range > T(0) ? most / range : T(0);
   if (!(scale <= std::numeric_limits<T>::max())) scale = T(0);
@@ -81,7 +81,7 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
       return (std::uint64_t{row_y * along_z + row_z} << bits_x | x) << key_shift |
              static_cast<std::uint64_t>(began) << layout_.place_bits | places[i];
     };
-    // Each of the four is written, and the next one over it where the box does not reach that row.
+    // All four items are written, each over the one before it where the box does not reach that row.
     const std::size_t more_y = last_y > y ? 1 : 0, more_z = last_z > z ? 1 : 0;
     keys[count++] = item(y, z, 0);
     keys[count] = item(y, last_z, began_before_z);
@@ -102,7 +102,7 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
   fill(boxes, sorted, count);
 }
 
-/// Boxes of which many share a place along X, by X itself.
+/// Sorts boxes of which many share a place along X, by X itself.
 template <class T>
 void RowGrid<T>::sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items, std::size_t count) {
   const std::uint64_t place = (std::uint64_t{1} << layout_.place_bits) - 1;
@@ -147,7 +147,7 @@ void RowGrid<T>::fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items
     }
     const auto place = static_cast<std::uint32_t>(item & place_mask);
     const Aabb<T>& b = boxes[place];
-    // Those that share a place along X come in any order.
+    // Boxes that share a place along X come in any order.
     std::size_t to = i;
     while (to > row_begin && b.lower.x < lower_x[to - 1]) --to;
     if (to != i) [[unlikely]] {

@@ -13,7 +13,7 @@
 
 namespace graze {
 
-/// What a grid has to know of its boxes.
+/// The ranges and lengths of the boxes of a grid.
 template <class T>
 struct Spans {
   Vec3<T> lowest, highest;  ///< of the lower corners
@@ -31,12 +31,12 @@ class RowGrid {
   void prepare_to_be_swept();
   /// The first row with each Y or a larger, and the end.
   const std::uint32_t* strips() const { return first_row_.data(); }
-  /// The first row that a box can reach, and how many rows there may be.
+  /// The first row that a box can reach, and the number of rows that there may be.
   std::uint32_t first_row_of(const Aabb<T>& box) const {
     return y_.nearest(box.lower.y) * z_.count() + z_.nearest(box.lower.z);
   }
   std::uint32_t row_limit() const { return y_.count() * z_.count(); }
-  /// A box that is to be compared with this grid's.
+  /// A box in the form in which it is compared with this grid's.
   SweptOver<T> reach_of(const Aabb<T>& box, std::uint32_t place) const;
 
   std::size_t memory() const;

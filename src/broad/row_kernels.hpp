@@ -10,7 +10,7 @@
 
 namespace graze {
 
-/// So many boxes more than there are can be read from the arrays of `Rows`.
+/// The number of boxes past the last one that can be read from the arrays of `Rows`.
 inline constexpr std::size_t row_padding = 16;
 
 /// Boxes of one row of a grid: `index` counts rows along Z first, then along Y.
@@ -44,11 +44,11 @@ struct Rows {
   std::uint32_t along_z;  ///< how many rows there are along Z, with boxes or without
 };
 
-/// Where found pairs go: two places each, in any order.
+/// The destination of found pairs: two places each, in any order.
 struct PairSink {
   std::uint32_t *first, *second;
   std::size_t count, capacity;
-  /// Makes room for `row_padding` more at the least; or sets `is_full`, and then what else is found may be lost.
+  /// Makes room for at least `row_padding` more; or sets `is_full`, and then further pairs may be lost.
   void (*grow)(PairSink&);
   void* owner;
   bool is_full = false;
@@ -62,8 +62,8 @@ struct SweptOver {
   std::uint32_t low_y, high_y, low_z, high_z;  ///< the rows it can reach, all included
 };
 
-/// Sorted pairs of one box that are known, to be put in between others. `ranks[b]` of a place `b` is how many of the
-/// places that the others come from are less.
+/// Sorted pairs of one box that are known, to be put in between others. `ranks[b]`: the number of places below b among
+/// those from which the others come.
 struct KnownPairs {
   const std::uint32_t* pairs;
   std::size_t count;
@@ -72,13 +72,14 @@ struct KnownPairs {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// The pairs of boxes that share a row.
+    /// Finds the pairs of boxes that share a row.
     template <class T> void sweep_rows(const Rows<T>& rows, PairSink& sink);
-    /// The pairs of each box with those in the rows. `strips[y]` is the first place in `rows` with that Y or a larger.
+    /// Finds the pairs of each box with those in the rows. `strips[y]`: the first place in `rows` with that Y or more.
     template <class T> void sweep_over(const Rows<T>& rows, const std::uint32_t* strips, const SweptOver<T>* boxes,
                                        std::size_t count, PairSink& sink);
-    /// The pairs of one box with those at `from` to `end` in the arrays, in that order, and `known` ones in between,
-    /// two places each from `to` on; returns the end of what was written. Writes up to `row_padding` pairs past it.
+    /// Writes the pairs of one box with those at `from` to `end` in the arrays, in that order, and `known` ones
+    /// between them, two places each from `to` on; returns the end of what was written. Writes up to
+    /// `row_padding` pairs past it.
     template <class T> std::uint32_t* test_all(const Rows<T>& boxes, std::uint32_t from, std::uint32_t end,
                                                const SweptOver<T>& box, const KnownPairs& known, std::uint32_t* to);)
 // clang-format on

@@ -11,8 +11,8 @@ namespace graze {
 
 namespace {
 
-/// A level takes boxes up to this many times the mean of all longest sides: by Markov's inequality at most half of any
-/// boxes are longer and go to the next level.
+/// The multiple of the mean of all longest sides up to which boxes are taken into a level: by Markov's inequality at
+/// most half of any boxes are longer and go to the next one.
 constexpr double longest_per_mean = 2;
 
 template <class T>
@@ -32,8 +32,8 @@ std::size_t RowSweep<T>::memory() const {
   return bytes;
 }
 
-/// The first level of most scenes, in which all boxes are finite and of about one size: what all of them span in one
-/// pass without branches. Returns false where some are not, and nothing is known then.
+/// Finds what the boxes of the first level span, in most scenes all of them: finite and of about one size. One pass
+/// without branches. Returns false where some are not so, and `spans` is of no use then.
 template <class T>
 bool RowSweep<T>::all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans) {
   spans = {boxes[0].lower, boxes[0].lower, {}};
@@ -57,7 +57,7 @@ bool RowSweep<T>::all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans) {
   return true;
 }
 
-/// Keeps in `members_` those that belong into the next level, and puts longer ones into `larger_`.
+/// Keeps in `members_` the boxes that belong into the next level, and puts longer ones into `larger_`.
 template <class T>
 Spans<T> RowSweep<T>::split(std::span<const Aabb<T>> boxes) {
   const double share = 1 / static_cast<double>(members_.size());
@@ -82,7 +82,7 @@ Spans<T> RowSweep<T>::split(std::span<const Aabb<T>> boxes) {
   return spans;
 }
 
-/// One level with itself and with those below it.
+/// Sweeps one level with itself and with those below it.
 template <class T>
 void RowSweep<T>::sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairSink& sink) {
   GRAZE_KERNEL(isa_, sweep_rows<T>)(levels_[level].rows(), sink);
@@ -95,7 +95,7 @@ void RowSweep<T>::sweep_over_level(std::span<const Aabb<T>> boxes, std::span<con
   const RowGrid<T>& grid = levels_[level];
   const std::size_t n = places.size();
   if (by_row_.size() < n) by_row_.resize(n + n / 8), scratch_.resize(n + n / 8);
-  // Row by row, so that a row is fetched once for all that it is compared with.
+  // Boxes are taken row by row, so that a row is fetched once for all that it is compared with.
   const auto item = [&](std::size_t k) { return std::uint64_t{grid.first_row_of(boxes[places[k]])} << 32 | places[k]; };
   Digits digits;
   digits.add(32, bits_below(grid.row_limit()));

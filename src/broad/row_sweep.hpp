@@ -1,8 +1,8 @@
 // All overlapping pairs of many boxes at once, without any memory of the last frame.
 //
 // Boxes are sorted into the rows of a grid (row_grid.hpp), and each row is swept with itself and the four rows ahead of
-// it: no box reaches further. What is much longer than others goes to a level of its own with larger strips, and is
-// swept over the rows below it; or, where it overlaps a good part of everything, is left to be compared with everything
+// it: no box reaches further. Boxes much longer than others go to a level of their own with larger strips, and are
+// swept over the rows below it; a box that overlaps a good part of all others is left to be compared with all of them
 // (wide_boxes.hpp). Pairs are sorted at the end (pair_order.hpp).
 //
 // Guarantee: exactly the overlapping pairs of closed boxes but those left so, sorted; a function of the boxes alone.
@@ -21,7 +21,7 @@
 
 namespace graze {
 
-/// Whether a grid can hold it: differences of such coordinates are finite.
+/// Whether a grid can hold the box: differences of such coordinates are finite.
 template <class T>
 bool is_bounded(const Aabb<T>& box) {
   constexpr T most = std::numeric_limits<T>::max() / T(4);
@@ -37,7 +37,7 @@ class RowSweep {
   /// Looks for all pairs but those of boxes at `wide`. Gives up and returns false where there turn out to be some times
   /// more than `most`.
   bool find(std::span<const Aabb<T>> boxes, std::size_t most = ~std::size_t{0});
-  /// What `find` found: pairs of places, sorted, the smaller first.
+  /// Writes the pairs of places that `find` found, sorted, the smaller place first.
   void sort_into(std::vector<IdPair>& out);
 
   /// Adds the pairs among the boxes at `places`, which must be bounded, in any order.
@@ -45,7 +45,7 @@ class RowSweep {
   /// Adds the pairs of the boxes at `places`, which must be bounded, with those that `find` was last given, the latter
   /// second and in any order; but not with those at `wide`.
   void find_over(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found);
-  /// Those that the last `find` left to be compared with all others (wide_boxes.hpp), in ascending order.
+  /// The boxes that the last `find` left to be compared with all others (wide_boxes.hpp), in ascending order.
   std::span<const std::uint32_t> wide() const { return wide_; }
 
   std::size_t memory() const;

@@ -24,7 +24,7 @@ class Output {
   /// Whether more is to be found at all.
   [[gnu::always_inline]] bool is_full() const { return is_full_; }
 
-  /// The pairs of `place` with those of `others` whose bits are set.
+  /// Adds the pairs of `place` with those of `others` whose bits are set.
   [[gnu::always_inline]] void add(std::uint32_t place, const std::uint32_t* others, std::uint32_t bits) {
     if (count_ + row_padding > capacity_) [[unlikely]] {
       grow(sink_, count_);
@@ -51,7 +51,7 @@ class Output {
   bool is_full_;
 };
 
-/// Where pairs go that are written two places each, and for which there is room.
+/// The destination of pairs that are written two places each, and for which there is room.
 class InOrder {
  public:
   [[gnu::always_inline]] explicit InOrder(std::uint32_t* to) : to_(to) {}
@@ -70,12 +70,13 @@ class InOrder {
   std::uint32_t* to_;
 };
 
-/// Which of the columns a scan looks at. In a sweep boxes ascend along X, and those that begin after the box has ended
-/// end it; what comes after a box in its own row begins after it, too.
+/// The columns that a scan looks at. In a sweep boxes ascend along X, and those that begin after the box has ended
+/// end it; a box behind another in the same row begins after it, too.
 enum class Scan { own_row, row, unordered };
 
-/// One box against those from `k` on; in rows, only where `began` has no bit in common with them. Whether a pair
-/// overlaps is hard to foresee, so every step writes all of its lanes and only the count depends on it.
+/// Tests one box against those from `k` on; in rows, only where `began` has no bit in common with them. A
+/// branch on whether a pair overlaps would be mispredicted often, so every step writes all of its lanes and
+/// only the count depends on it.
 template <Scan kind, class T, class Out>
 [[gnu::always_inline]] inline void scan(const Rows<T>& r, const Spread<T>& box, typename Lanes<T>::Bits began,
                                         std::uint32_t place, std::uint32_t k, std::uint32_t end, Out& output) {
@@ -132,7 +133,7 @@ void sweep_over(const Rows<T>& r, const std::uint32_t* strips, const SweptOver<T
     for (std::uint32_t y = b->low_y; y <= b->high_y; ++y) {
       const std::uint32_t low = y * r.along_z + b->low_z, high = y * r.along_z + b->high_z;
       std::uint32_t from = strips[y];
-      // Where no row of this Y is empty, it is where it would be in a full grid.
+      // The row is at its place in a full grid unless rows of this Y are empty.
       if (b->low_z < strips[y + 1] - from && r.rows[from + b->low_z].index == low)
         from += b->low_z;
       else

@@ -47,7 +47,7 @@ class SortAndSweep final : public BroadPhase<T> {
   }
 
   /// The axis along which the boxes' lower ends spread most, relative to the boxes' own lengths along it: that is
-  /// where the fewest overlap. Infinite boxes do not vote.
+  /// where the fewest overlap. Infinite boxes do not count.
   std::size_t widest_axis() const {
     double sum[3] = {}, square[3] = {};
     double voters = 0;

@@ -17,8 +17,8 @@ class Strips {
  public:
   static constexpr std::uint32_t most = 4096;
 
-  /// For numbers from `lowest` to `highest`, both finite and so that their difference is too. Returns false where equal
-  /// strips would have to be wider than boxes are long: `adapt` then makes better ones.
+  /// Sets equal strips for numbers from `lowest` to `highest`, both finite with a finite difference. Returns false
+  /// where they would have to be wider than boxes are long: `adapt` then makes better ones.
   bool set(T lowest, T highest, T length) {
     bounds_.clear();
     origin_ = lowest;
@@ -30,8 +30,8 @@ class Strips {
     return length * slack >= width_ || range <= T(0);
   }
 
-  /// Strips that follow where boxes begin: none much narrower than `length`, and none but the last with less than a
-  /// 4096th of all of them. Sorts `begins`.
+  /// Makes strips that follow where boxes begin: none much narrower than `length`, and none but the last with less than
+  /// a 4096th of all of them. Sorts `begins`.
   void adapt(std::span<T> begins, T length) {
     std::sort(begins.begin(), begins.end());
     const std::size_t least = begins.size() / most + 1;
@@ -48,12 +48,12 @@ class Strips {
 
   std::uint32_t count() const { return count_; }
 
-  /// For numbers that the strips were made for.
+  /// The strip of a number in the range that the strips were made for.
   std::uint32_t strip(T v) const {
     return bounds_.empty() ? static_cast<std::uint32_t>(static_cast<std::int32_t>((v - origin_) * inverse_))
                            : search(v);
   }
-  /// For any number: those outside are in the outermost strips.
+  /// The strip of any number: those outside are in the outermost strips.
   std::uint32_t nearest(T v) const {
     if (!bounds_.empty()) return search(v);
     if (!(v > origin_)) return 0;

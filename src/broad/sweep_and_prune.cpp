@@ -87,7 +87,7 @@ class SweepAndPrune final : public BroadPhase<T> {
     }
   };
 
-  /// Overlaps nothing. The empty box would not do: it overlaps all of space, by its infinite ends.
+  /// A box that overlaps nothing. The empty box would not do: it overlaps all of space, by its infinite ends.
   static constexpr Aabb<T> unknown() {
     constexpr T nan = std::numeric_limits<T>::quiet_NaN();
     return {{nan, nan, nan}, {nan, nan, nan}};
@@ -129,14 +129,14 @@ class SweepAndPrune final : public BroadPhase<T> {
     std::sort(gone_ids_.begin(), gone_ids_.end());
     const auto is_gone = [&](std::uint32_t id) { return std::binary_search(gone_ids_.begin(), gone_ids_.end(), id); };
     std::erase_if(pairs_, [&](const IdPair& pair) { return is_gone(pair.a) || is_gone(pair.b); });
-    // Both came and went since the last update.
+    // These boxes came and went since the last update.
     std::erase_if(fresh_, [&](std::uint32_t slot) { return slots_[slot].place == nowhere; });
     free_.insert(free_.end(), gone_.begin(), gone_.end());
     gone_.clear();
     gone_ids_.clear();
   }
 
-  /// At the far end, where a box overlaps nothing: from there it is sorted in as if it had moved.
+  /// Puts new boxes at the far end, where a box overlaps nothing: from there they are sorted in as if they had moved.
   void append_fresh() {
     for (const std::uint32_t slot : fresh_)
       for (auto& ends : ends_) {
@@ -149,7 +149,7 @@ class SweepAndPrune final : public BroadPhase<T> {
   }
 
   /// Sorts by insertion and changes the pairs as ends pass each other. False if that takes too many exchanges: the ends
-  /// are all there then, but neither sorted nor the pairs right.
+  /// are all there then, but they are not sorted, and the pairs are not right.
   ///
   /// A pair that overlaps now and did not was apart on some axis, where a lower end then passes an upper one; a pair
   /// that is apart now and was not has an axis where an upper end passes a lower one. Two ends pass at most once.
@@ -176,7 +176,7 @@ class SweepAndPrune final : public BroadPhase<T> {
     }
     return true;
   }
-  /// `end` goes below `other`, which is of the other kind.
+  /// Records that `end` goes below `other`, which is of the other kind.
   void pass(const End& end, const End& other) {
     const bool overlapped = compare(slots_[end.slot].known, slots_[other.slot].known);
     if (end.upper) {
@@ -185,7 +185,7 @@ class SweepAndPrune final : public BroadPhase<T> {
       begun_.push_back(ids_of(end.slot, other.slot));
     }
   }
-  /// A pair can begin or end on several axes, but not both.
+  /// Applies the changes to the pairs. A pair can begin or end on several axes, but not both.
   void change_pairs() {
     for (auto* changes : {&begun_, &ended_}) {
       std::sort(changes->begin(), changes->end());
@@ -211,7 +211,7 @@ class SweepAndPrune final : public BroadPhase<T> {
     find_pairs(*best);
     std::sort(pairs_.begin(), pairs_.end());
   }
-  /// How many pairs overlap along an axis.
+  /// The number of pairs that overlap along an axis.
   static double overlapping(const std::vector<End>& ends) {
     double open = 0, count = 0;
     for (const End& end : ends) {

@@ -9,15 +9,15 @@ namespace graze {
 
 namespace {
 
-/// From one overlapping pair in so many on, all pairs are compared: a comparison takes a hundredth of what it takes to
-/// find a pair and to sort it, and the guess may be off by some.
+/// The share of overlapping pairs, one in so many, from which on all pairs are compared: a comparison takes a hundredth
+/// of what it takes to find a pair and to sort it, and the guess may be off by some.
 constexpr std::size_t pairs_per_hit = 32;
-/// So many pairs are looked at for that.
+/// The number of pairs that are compared for the guess.
 constexpr std::size_t samples = 1024;
-/// More boxes than that leave the caches, and would be fetched anew for each of the wide ones.
+/// The number of boxes above which they leave the caches, and would be fetched anew for each of the wide ones.
 constexpr std::size_t most_boxes = 400000;
 
-/// For each place how many of those at `wide` are less.
+/// Sets the rank of each place to the number of those at `wide` that are less.
 void count_below(std::span<const std::uint32_t> wide, std::size_t places, std::vector<std::uint32_t>& ranks) {
   if (ranks.size() < places) ranks.resize(places);
   std::uint32_t rank = 0;
@@ -32,8 +32,8 @@ void count_below(std::span<const std::uint32_t> wide, std::size_t places, std::v
 template <class T>
 bool WideBoxes<T>::worthwhile(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> some) {
   if (boxes.size() > most_boxes) return false;
-  // Steps of the golden ratio (Knuth 1998, "The Art of Computer Programming", volume 3, section 6.4): evenly spread,
-  // and in step with no pattern that the boxes may follow.
+  // Pairs are picked by steps of the golden ratio (Knuth 1998, "The Art of Computer Programming", volume 3, section
+  // 6.4): evenly spread, and in step with no pattern that the boxes may follow.
   std::size_t hits = 0;
   std::uint32_t at = 0;
   for (std::size_t i = 0; i < samples; ++i) {

@@ -1,7 +1,7 @@
 // Pairs of boxes that overlap a good part of all others, or that no grid can hold.
 //
-// They are compared with all boxes in the order of places, a register at a time, so that their pairs come about in the
-// order they are wanted in: nothing is left to sort, and those of others are put in where their turn is.
+// Such boxes are compared with all others in the order of places, a register at a time, so that their pairs come about
+// in the wanted order: nothing is left to sort, and pairs of other boxes are put in where their turn is.
 //
 // Guarantee: exactly the overlapping pairs in which at least one is such a box. Cost: their number times that of all
 // boxes over the lanes.
@@ -18,11 +18,11 @@ namespace graze {
 template <class T>
 class WideBoxes {
  public:
-  /// Whether comparing those at `some` with all boxes is cheaper than to look for their pairs and to sort them. Looks
-  /// at a few hundred pairs, and so is a guess; what it says depends on the boxes alone.
+  /// Whether comparing those at `some` with all boxes is cheaper than looking for their pairs and sorting them. A
+  /// guess, from a thousand pairs; it depends on the boxes alone.
   static bool worthwhile(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> some);
 
-  /// The pairs of those at `wide`, in ascending order, together with `others`: sorted pairs of other boxes, not in
+  /// Writes the pairs of those at `wide`, which ascend, together with `others`: sorted pairs of other boxes, not in
   /// `out`.
   void merge(Isa level, std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> wide,
              std::span<const IdPair> others, std::vector<IdPair>& out);
@@ -30,7 +30,7 @@ class WideBoxes {
   std::size_t memory() const;
 
  private:
-  /// Boxes in an order of one's own, a coordinate an array.
+  /// Boxes in an order of their own, a coordinate an array.
   struct Columns {
     std::vector<T> bounds[6];
     std::vector<std::uint32_t> place;

@@ -33,8 +33,8 @@ T inverse_effective_mass(const StruckBody<T, Space>& body, const typename Space:
   return body.mass.mass + dot(turning, body.mass.inertia * turning);
 }
 
-/// Adds the impulses on the points of one manifold: none of them pulls, and a point that is pushed leaves at the speed of
-/// its approach times the restitution.
+/// Adds the impulses on the points of one manifold: none of them pulls, and a point that is pushed leaves at the speed
+/// of its approach times the restitution.
 template <class T, class Space>
 void strike(StruckBody<T, Space>& a, StruckBody<T, Space>& b, const Blow<T, Space>& blow,
             std::span<const typename Space::Vec> points, std::span<T> impulses) {
