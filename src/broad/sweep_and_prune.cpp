@@ -71,7 +71,7 @@ class SweepAndPrune final : public BroadPhase<T> {
  private:
   static constexpr std::uint32_t nowhere = ~0u;
 
-  /// What an end refers to: it stays when places change.
+  /// The box that an end belongs to: a slot stays when places change.
   struct Slot {
     Aabb<T> known;        ///< the box at the last update; NaN before the first
     std::uint32_t place;  ///< in the table, or nowhere

@@ -30,7 +30,7 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
 
     const T reach = length(child.pose.translation) + child.shape.rounding() +
                     child.shape.visit([](const auto& c) { return c.core_extent(); });
-    // One in another in another adds up.
+    // The reaches of compounds within compounds add up.
     constexpr T furthest = T(8) * largest_magnitude<T>;
     if (!(reach <= furthest))
       validate::fail(path, "a child that reaches at most " + validate::number(static_cast<double>(furthest)),
@@ -63,7 +63,7 @@ Aabb<T> Compound<T>::core_bounds(const Pose<T>& pose) const {
     const Placed<T>& child = data_->children[i];
     return bounds(child.shape, compose(pose, child.pose));
   };
-  // Each child once, since compounds in compounds ask theirs in turn; of very many, their boxes have to do.
+  // Each child is visited once, since a compound among them visits its own in turn; of very many, the boxes have to do.
   Aabb<T> all = Aabb<T>::empty();
   if (data_->tree.size() <= few_children) {
     for (std::uint32_t i = 0; i < data_->children.size(); ++i) all = merged(all, placed(i));

@@ -1,4 +1,4 @@
-// What a compound is made of.
+// The data of a compound.
 //
 // Guarantee: every child is in the tree or, when its bounds are not finite (a half-space), among `unbounded`.
 #pragma once

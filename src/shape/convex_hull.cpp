@@ -33,7 +33,7 @@ void fill_segment(HullData<T>& hull, const std::vector<std::uint32_t>& ends, std
   hull.neighbors = {1, 0};
 }
 
-/// A choice of which no compiler makes a jump: for conditions that no processor foresees. Not every standard library
+/// A choice that no compiler makes a branch of, for conditions that no processor predicts. Not every standard library
 /// has `std::bit_cast`.
 template <class N>
 N without_jump(bool condition, N yes, N no) {
@@ -42,7 +42,7 @@ N without_jump(bool condition, N yes, N no) {
   return __builtin_bit_cast(N, other ^ ((other ^ __builtin_bit_cast(Bits, yes)) & chosen));
 }
 
-/// Of a hull that is scanned from where that has just read it.
+/// A vertex of a hull, read from the blocks if it has any: a scan has just read these.
 template <class T>
 Vec3<T> scanned_vertex(const HullData<T>& hull, std::uint32_t v) {
   if constexpr (std::is_same_v<T, float>)
@@ -71,7 +71,7 @@ class HighVertices {
     } else {
       top_ = static_cast<std::uint32_t>(hull.support_vertex(direction));
       level_ = dot(hull_.vertices[top_], direction) - below;
-      // There is another as high only where one beside the top is.
+      // Another vertex is as high only where a neighbour of the top is.
       const auto beside = hull_.around(top_);
       several_ = std::any_of(beside.begin(), beside.end(), [&](std::uint32_t v) { return has(v); });
     }
@@ -114,7 +114,7 @@ ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> given) {
   const std::span<const Vec3<T>> points = resolved;
   auto hull = std::make_shared<HullData<T>>();
   const Grid grid = to_grid(precise);
-  // What the coordinates' own rounding can do to a plane through three of them, and the grid's step.
+  // The error of a plane through three points by the rounding of their coordinates, and the grid's step.
   const double merge = 4 * (grid.step + static_cast<double>(std::numeric_limits<T>::epsilon()) * largest);
   hull->tolerance = static_cast<T>(2 * merge);
 
@@ -154,7 +154,7 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
   const Vec3<T> n = normalized(direction);
   const auto faces = static_cast<std::uint32_t>(hull.planes.size());
 
-  // Where the direction is across an edge, its far end is as high: a face that has both is the edge's own.
+  // An edge across the direction has its far end as high: a face that has both ends is the edge's own.
   const HighVertices<T> high(*this, n);
   const std::uint32_t top = high.top();
   std::uint32_t best = HullData<T>::no_face;
@@ -164,7 +164,7 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
     const Vec3<T>& m = hull.planes[f].normal;
     const T squared_sine = length_squared(cross(m, n));
     const std::ptrdiff_t tied = high.several() ? high.among(hull.loop(f)) : 1;
-    // Which of them is better is anybody's guess.
+    // A branch on which of them is better would be mispredicted often.
     const bool leans_little = (dot(m, n) > T(0)) & (squared_sine <= lean * lean);
     const bool better = leans_little & ((tied > most_tied) | ((tied == most_tied) & (squared_sine <= least_squared)));
     most_tied = without_jump(better, tied, most_tied);

@@ -27,7 +27,7 @@ std::string number(double value) {
 #if defined(__cpp_lib_to_chars)
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 #else
-  // A standard library without it: the fewest digits that give the same number again.
+  // A standard library without `to_chars` of numbers: the fewest digits that give the same number again.
   for (int digits = 1; digits < 17; ++digits) {
     std::snprintf(text, sizeof text, "%.*g", digits, value);
     if (std::strtod(text, nullptr) == value) return text;

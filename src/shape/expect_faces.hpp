@@ -1,7 +1,7 @@
-// Reading ahead what a support face is made of.
+// Reading ahead the arrays of which a support face is made.
 //
-// Guarantee: changes no answer. A small hull's faces lie in several arrays, each read at a place that the one before
-// tells; of many hulls in turn none is in a near cache, and contacts would wait for each of the arrays.
+// Guarantee: changes no answer. A small hull's faces lie in several arrays, each read at a place that stands in the one
+// before; of many hulls in turn none is in a near cache, and contacts would wait for each of the arrays.
 #pragma once
 
 #include "graze/shape.hpp"
@@ -10,7 +10,7 @@ namespace graze {
 
 namespace detail {
 
-/// In line, here and below: g++ drops calls of functions that do nothing but read ahead.
+/// Reads an array ahead. Inlined, like `expect_faces`: g++ drops calls of functions that do nothing but read ahead.
 template <class Items>
 [[gnu::always_inline]] inline void read_ahead(const Items& items) {
   constexpr std::size_t line = 64;
@@ -20,8 +20,9 @@ template <class Items>
 
 }  // namespace detail
 
-/// To be called some hundred nanoseconds before the faces are asked for. Costs a prefetch a line of the cache, some
-/// fifty for a hull of 32 vertices; nothing is read of larger hulls, and of other shapes, which have no arrays.
+/// Reads a hull's faces ahead, some hundred nanoseconds before they are used. Costs a prefetch for each line of the
+/// cache, some fifty for a hull of 32 vertices; nothing is read of larger hulls, and of other shapes, which have no
+/// arrays.
 template <class T>
 [[gnu::always_inline]] inline void expect_faces(const Shape<T>& shape) {
   const auto* hull = shape.template as<ConvexHull<T>>();

@@ -14,15 +14,15 @@ namespace graze {
 /// Pairs of edges up to which the separating axes give contacts about as soon as GJK with EPA. Measured on lanes: of a
 /// box with a hull of 4 points 0.87 of that time, of a triangle with one of 8 0.83, of two hulls 0.98 to 1.08; one by
 /// one, as doubles and flat hulls still do, 0.96 to 1.16. Two hulls of 32 points would take 1.26 on lanes.
-/// No polyhedron has fewer edges than a triangle's six, so that one with more than `most_faceted_edges` is never asked.
+/// No polyhedron has fewer edges than a triangle's six, so that one with more than `most_faceted_edges` is never taken.
 inline constexpr std::size_t most_edge_pairs = 200, most_faceted_edges = (most_edge_pairs + 1) / 6;
-/// By Euler's formula, as every vertex and every face has at least three edges.
+/// The most faces of such a polyhedron by Euler's formula, as every vertex and every face has at least three edges.
 inline constexpr std::size_t most_faceted_faces = 2 * most_faceted_edges / 3;
 
 constexpr std::size_t face_blocks(std::size_t faces) { return (faces + FaceBlock::size - 1) / FaceBlock::size; }
 constexpr std::size_t edge_blocks(std::size_t edges) { return (edges + EdgeBlock::size - 1) / EdgeBlock::size; }
 
-/// Of the ball about the vertices' mean that touches the nearest face; rounded inwards.
+/// The ball about the vertices' mean that touches the nearest face; rounded inwards.
 struct InnerBall {
   Vec3<float> middle;
   float radius;
@@ -34,7 +34,7 @@ inline void move_out(Plane<double>& plane, std::span<const Vec3d> vertices) {
   for (const Vec3d& v : vertices) plane.offset = greatest(plane.offset, dot(plane.normal, v));
 }
 
-/// What a block has no face or edge for is the first again.
+/// Writes the planes of faces into blocks; places without a face repeat the first.
 inline void write_faces(std::span<const Plane<double>> planes, FaceBlock* blocks) {
   for (std::size_t i = 0; i < face_blocks(planes.size()) * FaceBlock::size; ++i) {
     const Plane<double>& plane = planes[i < planes.size() ? i : 0];
@@ -45,7 +45,7 @@ inline void write_faces(std::span<const Plane<double>> planes, FaceBlock* blocks
     block.offset[k] = static_cast<float>(plane.offset);
   }
 }
-/// Every face has an edge, and so gets its vertex too.
+/// Writes edges into blocks, and a vertex of each face, since every face has an edge.
 inline void write_edges(std::span<const HullEdge> edges, std::span<const Plane<double>> planes, EdgeBlock* blocks,
                         FaceBlock* faces) {
   for (std::size_t i = 0; i < edge_blocks(edges.size()) * EdgeBlock::size; ++i) {
@@ -70,7 +70,7 @@ inline InnerBall inner_ball(std::span<const Vec3d> vertices, std::span<const Pla
   return {middle, greatest(0.0f, static_cast<float>(radius) * (1 - std::numeric_limits<float>::epsilon()))};
 }
 
-/// Of a polyhedron with few edges, by the unit normals of its faces.
+/// Fills the facets of a polyhedron with few edges, from the unit normals of its faces.
 inline void fill_facets(HullData<float>& hull, std::span<const Vec3d> normals) {
   std::vector<Vec3d> vertices;
   for (const Vec3<float>& v : hull.vertices) vertices.push_back(converted<double>(v));

@@ -1,4 +1,4 @@
-// A height field and the lowest and highest heights of its blocks, as plain data: what kernels read.
+// A height field and the lowest and highest heights of its blocks, as plain data for kernels.
 //
 // Guarantee: behind each level's spans there is room for three more, so that four of a row may be read from any place.
 #pragma once

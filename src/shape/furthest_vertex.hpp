@@ -1,7 +1,7 @@
 // The vertex of a small hull that lies furthest in a direction: a scan on lanes.
 //
 // Guarantee: the vertex that a scan one after the other in the direction's own scalar finds, of equals the first. Lanes
-// of float tell which vertices may be that within rounding, most often one; only those are looked at again.
+// of float leave the vertices that it may be within rounding, most often one; only those are looked at again.
 #pragma once
 
 #include "graze/shape/convex_hull.hpp"
@@ -14,14 +14,15 @@ namespace graze {
 using VertexBits = std::uint64_t;
 static_assert(scan_limit <= 64, "a bit a vertex");
 
-/// A hull with so many vertices is scanned in so many blocks: one, two or four, for each of which there is code.
+/// The number of blocks in which a hull of so many vertices is scanned: one, two or four, for each of which there is
+/// code.
 constexpr std::size_t scan_blocks(std::size_t vertices) {
   return vertices <= VertexBlock::size ? 1 : vertices <= 2 * VertexBlock::size ? 2 : 4;
 }
 inline constexpr std::size_t most_scan_blocks = scan_blocks(scan_limit);
 static_assert(most_scan_blocks * VertexBlock::size >= scan_limit);
 
-/// Fills a block with so many vertices, or a hull's from number `first` on.
+/// Fills a block with so many vertices, those of a hull from number `first` on.
 template <class T>
 void fill_block(const Vec3<T>* vertices, std::size_t count, VertexBlock& block, std::size_t first = 0) {
   for (std::size_t k = 0; k < VertexBlock::size; ++k) {

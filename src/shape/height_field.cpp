@@ -13,7 +13,7 @@ template <class T>
 void check(std::size_t columns, std::size_t rows, const std::vector<T>& heights) {
   if (columns < 2) throw InvalidValue("columns", "a whole number >= 2", std::to_string(columns));
   if (rows < 2) throw InvalidValue("rows", "a whole number >= 2", std::to_string(rows));
-  // By division, so that huge counts cannot overflow into a match.
+  // Checked by division, so that huge counts cannot overflow into a match.
   if (heights.size() / columns != rows || heights.size() % columns != 0)
     throw InvalidValue("heights",
                        "columns x rows = " + std::to_string(columns) + " x " + std::to_string(rows) + " values",
@@ -26,7 +26,7 @@ void check(std::size_t columns, std::size_t rows, const std::vector<T>& heights)
                      static_cast<double>(heights[i]));
 }
 
-/// The level of blocks above one that is as wide and high as told, and has `span_of(column, row)`.
+/// The level of blocks above one of `columns` times `rows` blocks, each with its `span_of(column, row)`.
 template <class T, class SpanOf>
 typename HeightFieldData<T>::Level level_above(std::uint32_t columns, std::uint32_t rows, const SpanOf& span_of) {
   constexpr std::uint32_t side = HeightFieldData<T>::side;
@@ -55,7 +55,7 @@ void build_pyramid(HeightFieldData<T>& data) {
   }
 }
 
-/// Nothing of the data may move any more.
+/// The pyramid of the data, which it points into: none of the data may move any more.
 template <class T>
 FieldPyramid<T> pyramid_of(const HeightFieldData<T>& data) {
   FieldPyramid<T> pyramid{

@@ -1,4 +1,4 @@
-// What a height field is made of, and how it is searched: a pyramid of lowest and highest heights.
+// The data of a height field, and its search by a pyramid of lowest and highest heights.
 //
 // Guarantee: the box of each block contains the triangles of its cells; blocks all of whose cells are holes are never
 // children. The hierarchy has sixteen children a node and half as many levels as the longer side has bits.
@@ -43,7 +43,7 @@ struct HeightFieldData {
   T extent = T(0);            ///< the greatest distance of a corner from the frame's origin
   Aabb<T> all;
   double radius = 0;          ///< of a ball about the centre of the bounds, as rounded, that holds all of them
-  FieldPyramid<T> pyramid{};  ///< all that in the eyes of kernels
+  FieldPyramid<T> pyramid{};  ///< the same data as kernels read it
   Sides sides = Sides::both;
 
   const HeightFieldData& hierarchy() const { return *this; }
@@ -53,7 +53,7 @@ struct HeightFieldData {
   T height(std::uint32_t column, std::uint32_t row) const { return heights[std::size_t{row} * columns + column]; }
   Vec3<T> point(std::uint32_t column, std::uint32_t row) const { return {x(column), height(column, row), z(row)}; }
 
-  /// Of a cell: its corners' span, empty for a hole.
+  /// The span of a cell's corners, empty for a hole.
   Span cell(std::uint32_t column, std::uint32_t row) const {
     const T a = height(column, row), b = height(column + 1, row), c = height(column, row + 1),
             d = height(column + 1, row + 1);
@@ -112,7 +112,7 @@ struct HeightFieldData {
   }
 
   /// Calls `f(number)` for the triangles of the cells that a region reaches into, and perhaps of some beside it, holes
-  /// left out; `f` may return false to end that. Where few cells are, the grid tells them without a search.
+  /// left out; `f` may return false to end the visit. A few cells follow from the grid without a search.
   template <class F>
   bool each_at(const Aabb<T>& region, F& f) const {
     const auto [first_column, end_column] = cells_between(region.lower.x, region.upper.x, spacing_x, columns - 1);

@@ -1,11 +1,12 @@
-// How every hierarchy of bounds is searched: nearest first, with a limit that may shrink on the way.
+// The search of every hierarchy of bounds: nearest first, with a limit that may shrink on the way.
 //
 // Guarantee: every piece whose bounds the question does not rule out is visited, the same ones in the same order for
 // the same input; nothing is allocated unless a hierarchy is deeper than any good one is; no recursion.
 //
-// A hierarchy (`WideTree`, `HeightPyramid`) tells its root, the children of a node with their boxes, and the pieces of
-// a leaf. A question (`BoxQuestion`, `PlaneQuestion`, `RayQuestion`) gives each box a key, a lower bound of the answer
-// for everything inside: what exceeds the limit is left out, and what is least is visited first.
+// A hierarchy (`WideTree`, `HeightPyramid`) has a root, the children of each node with their boxes, and the
+// pieces of each leaf. A question (`BoxQuestion`, `PlaneQuestion`, `RayQuestion`) gives each box a key, a lower
+// bound of the answer for everything inside: boxes whose key exceeds the limit are left out, and the one with the
+// least key is visited first.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ struct ChildBoxes {
   }
 };
 
-/// Last in, first out; on the heap only beyond what hierarchies of tens of millions of pieces need.
+/// A stack, on the heap only beyond the depth that hierarchies of tens of millions of pieces need.
 template <class Entry>
 class TraversalStack {
  public:
@@ -59,8 +60,9 @@ constexpr T signed_square(const T& distance) {
   return distance < T(0) ? -(distance * distance) : distance * distance;
 }
 
-/// How near is it to a region? The key is a lower bound of the signed distance, with its sign and squared: of boxes
-/// that overlap, minus the least translation along an axis that parts them, since that also parts what they hold.
+/// The question how near a box is to a region. The key is a lower bound of the signed distance, squared with
+/// its sign: of boxes that overlap, minus the least translation along an axis that parts them, since that
+/// also parts what they hold.
 template <class T>
 struct BoxQuestion {
   using Key = T;
@@ -72,7 +74,7 @@ struct BoxQuestion {
     const T most = greatest(apart.x, greatest(apart.y, apart.z));
     return most > T(0) ? length_squared(gap) : -(most * most);
   }
-  /// The same of all children of a node, in loops over lanes that compilers make vectors of.
+  /// The keys of all children of a node, in loops over lanes that compilers make vectors of.
   template <class Ref, std::size_t N>
   void operator()(const ChildBoxes<T, Ref, N>& children, T (&keys)[N]) const {
     T most[N], squared[N];
@@ -90,7 +92,7 @@ struct BoxQuestion {
   T key(const T& limit) const { return signed_square(limit); }
 };
 
-/// How low does it reach along a unit vector, from the plane of points at `offset` along it?
+/// The question how low a box reaches along a unit vector, from the plane of points at `offset` along it.
 template <class T>
 struct PlaneQuestion {
   using Key = T;
@@ -104,8 +106,9 @@ struct PlaneQuestion {
   T key(const T& limit) const { return limit; }
 };
 
-/// Where does a ray enter it? The boxes grow by `slack` on all sides; where the ray misses, the key is infinite. The
-/// scalar may be wider than the boxes'. `inverse` is 1 / direction, infinite along axes that the ray does not move on.
+/// The question where a ray enters a box. Boxes grow by `slack` on all sides; where the ray misses, the key
+/// is infinite. The scalar may be wider than the boxes'. `inverse` is 1 / direction, infinite along axes that
+/// the ray does not move on.
 template <class S>
 struct RayQuestion {
   using Key = S;
@@ -131,11 +134,11 @@ struct RayQuestion {
     const S widest = leave + (leave < S(0) ? -leave : leave) * rounding;
     return enter <= widest ? enter : std::numeric_limits<S>::infinity();
   }
-  /// Finite, so that what the ray misses is left out.
+  /// The limit as a key: finite, so that boxes that the ray misses are left out.
   S key(const S& limit) const { return least(limit, std::numeric_limits<S>::max()); }
 };
 
-/// Calls `f`; true when it returns nothing or true: go on.
+/// Calls `f` and returns whether to go on: it returned nothing or true.
 template <class F, class... Arguments>
 bool go_on(F& f, const Arguments&... arguments) {
   if constexpr (std::is_same_v<std::invoke_result_t<F&, const Arguments&...>, bool>) {
@@ -148,7 +151,8 @@ bool go_on(F& f, const Arguments&... arguments) {
 
 namespace detail {
 
-/// Pushes what `count` keys let pass, the least last, so that it is popped first; of equals, the first.
+/// Pushes the children whose keys, of `count`, the limit lets pass, the least last, so that it is popped first; of
+/// equals, the first.
 template <class Stack, class Key, std::size_t N, class Entry>
 void push_nearest_last(Stack& stack, const Key (&keys)[N], std::size_t count, const Key& limit, const Entry& entry_of) {
   std::uint8_t sorted[N];
@@ -164,7 +168,7 @@ void push_nearest_last(Stack& stack, const Key (&keys)[N], std::size_t count, co
 
 }  // namespace detail
 
-/// Calls `f(piece)` for the pieces of all leaves that the question does not rule out. `limit()` is asked again on the
+/// Calls `f(piece)` for the pieces of all leaves that the question does not rule out. `limit()` is called again on the
 /// way. `f` may return false to end the visit; returns whether it went to the end.
 template <class Hierarchy, class Question, class Limit, class F>
 bool visit(const Hierarchy& hierarchy, const Question& question, const Limit& limit, F&& f) {
@@ -199,14 +203,14 @@ bool visit(const Hierarchy& hierarchy, const Question& question, const Limit& li
   return true;
 }
 
-/// The pieces whose boxes come within `limit()` of a region in the hierarchy's frame, nearest first.
+/// Visits the pieces whose boxes come within `limit()` of a region in the hierarchy's frame, nearest first.
 template <class Hierarchy, class T, class Limit, class F>
 bool visit(const Hierarchy& hierarchy, const Aabb<T>& region, const Limit& limit, F&& f) {
   return visit(hierarchy, BoxQuestion<T>{region}, limit, f);
 }
 
-/// The pieces whose boxes, grown by `slack`, a ray crosses with begin <= t <= limit(), in the order in which it enters
-/// the leaves. `inverse` is 1 / direction component by component, and infinite where that is 0.
+/// Visits the pieces whose boxes, grown by `slack`, a ray crosses with begin <= t <= limit(), in the order in which it
+/// enters the leaves. `inverse` is 1 / direction component by component, and infinite where that is 0.
 template <class Hierarchy, class S, class Limit, class F>
 bool visit_ray(const Hierarchy& hierarchy, const Vec3<S>& origin, const Vec3<S>& inverse, const Limit& limit, F&& f,
                S begin = S(0), S slack = S(0)) {

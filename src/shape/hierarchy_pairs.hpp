@@ -1,4 +1,4 @@
-// Two hierarchies of bounds against each other, under a relative pose: which of their pieces come near.
+// The pairs of pieces that come near each other, of two hierarchies of bounds under a relative pose.
 //
 // Guarantee: every pair of pieces whose boxes come within the limit is visited, in the same order for the same input;
 // nearer pairs of nodes first, so that a limit that shrinks prunes the rest. The cost follows from what is near, not
@@ -14,11 +14,11 @@ namespace graze {
 template <class T>
 class TurnedBoxes {
  public:
-  /// For boxes within `all` of the frame that stands at `pose`.
+  /// Turns boxes within `all` of the frame that stands at `pose`.
   TurnedBoxes(const Pose<T>& pose, const Aabb<T>& all)
       : rotation_(rotation_matrix(pose.rotation)), translation_(pose.translation) {
     for (std::size_t i = 0; i < 3; ++i) absolute_.row[i] = abs(rotation_.row[i]);
-    // Some sixteen roundings of the largest number involved, and what the routines of pairs take for touching.
+    // Some sixteen roundings of the largest number involved, and the distance that counts as touching for pairs.
     const T reach = max_abs(translation_) + T(3) * greatest(max_abs(all.lower), max_abs(all.upper));
     slack_ = T(64) * std::numeric_limits<T>::epsilon() * reach;
   }

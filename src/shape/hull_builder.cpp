@@ -176,7 +176,8 @@ double magnitude(const GridNormal& n) {
   return sum;
 }
 
-/// Andrew's monotone chain (1979) in the plane of the two axes across the largest component of the normal.
+/// The hull of coplanar points by Andrew's monotone chain (1979), in the plane of the two axes across the largest
+/// component of the normal.
 std::vector<std::uint32_t> flat_hull(std::span<const GridPoint> points, const GridNormal& normal) {
   const auto size = [&](std::size_t i) { return normal[i] < 0 ? -normal[i] : normal[i]; };
   const std::size_t major = size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;

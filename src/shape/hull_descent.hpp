@@ -1,6 +1,7 @@
 // The descent of a hull's hierarchy to its furthest vertex, a template over an observer of what is looked at.
 //
-// Guarantee: `UnobservedDescent`, which every answer is found with, is empty and costs nothing. An observer has no say.
+// Guarantee: `UnobservedDescent`, which every answer is found with, is empty and costs nothing. No observer changes the
+// way.
 #pragma once
 
 #include "graze/shape/convex_hull.hpp"

@@ -7,12 +7,14 @@ namespace graze {
 
 namespace {
 
-/// A planar graph has an independent set of at least a fixed share of its vertices among those of degree up to this,
-/// so every level is smaller than the one below by a factor, and has as few steps to climb.
+/// The greatest degree of vertices that are taken out. A planar graph has an independent set of at least a fixed
+/// share of its vertices among those of such a degree, so every level is smaller than the one below by a factor, and
+/// has as few steps to climb.
 constexpr std::size_t removable_degree = 8;
 constexpr std::size_t coarsest = 24;
-/// Of these levels only every few are kept: each a factor smaller than the next. A climb then takes two or three steps
-/// instead of one, but the levels are few and take little memory, and of a large hull memory is what a query waits for.
+/// The factor by which each kept level is smaller than the next; the levels between them are dropped. A climb
+/// then takes two or three steps instead of one, but the levels are few and take little memory, for which a
+/// query waits at a large hull.
 constexpr std::size_t shrink = 4;
 
 /// One level in the making: vertices of the hull and, by place, their neighbours.

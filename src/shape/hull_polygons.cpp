@@ -14,7 +14,7 @@ namespace {
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Which face has the directed edge on its left.
+/// The directed edges in order, each with the face on its left.
 std::vector<std::pair<DirectedEdge, std::uint32_t>> directed_edges(const Loops& loops) {
   std::vector<std::pair<DirectedEdge, std::uint32_t>> edges;
   for (std::uint32_t f = 0; f < loops.size(); ++f)
@@ -29,7 +29,8 @@ std::uint32_t left_of(const std::vector<std::pair<DirectedEdge, std::uint32_t>>&
   return found != edges.end() && found->first == e ? found->second : HullData<double>::no_face;
 }
 
-/// Every edge once in each direction, no loop shorter than three or through a vertex twice.
+/// Whether the loops close a surface: every edge once in each direction, no loop shorter than three or through a vertex
+/// twice.
 bool closed(const Loops& loops) {
   const auto edges = directed_edges(loops);
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -122,13 +123,13 @@ class Merger {
     return loop;
   }
 
-  /// A vertex that only two faces meet at lies on their common edge, but for one at the tip of a sliver: there all that
-  /// is as thin as the tolerance has become one of the two.
+  /// Drops vertices at which only two faces meet. Such a vertex lies on their common edge, but for one at the tip of a
+  /// sliver: there everything as thin as the tolerance has become one of the two faces.
   void drop_needless_vertices(Loops& loops) const {
     std::vector<std::uint32_t> uses(points_.size(), 0);
     for (const auto& loop : loops)
       for (const std::uint32_t v : loop) ++uses[v];
-    // Both faces have the same two neighbours of such a vertex, and so the same answer.
+    // The two faces have the same two neighbours of such a vertex, and so the same answer.
     std::vector<bool> needless(points_.size(), false);
     for (const auto& loop : loops)
       for (std::size_t i = 0; i < loop.size(); ++i)

@@ -1,4 +1,4 @@
-// A hull's triangles merged to polygons: the faces that a box has six of and not twelve.
+// A hull's triangles merged to polygons, so that a box has six faces and not twelve.
 #pragma once
 
 #include "graze/shape/convex_hull.hpp"

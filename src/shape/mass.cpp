@@ -1,8 +1,8 @@
 // Mass properties: moments of volume, by the divergence theorem over a shape's surface.
 //
 // For a body with surface S and outward normal n, the integrals of 1, x_i and x_i x_j over its volume are those of
-// x.n / 3, x_i x.n / 4 and x_i x_j x.n / 5 over S (each integrand is homogeneous; Euler's theorem). A surface is then
-// what a shape has to name: flat triangles, strips of cylinders about edges, pieces of balls about corners.
+// x.n / 3, x_i x.n / 4 and x_i x_j x.n / 5 over S (each integrand is homogeneous; Euler's theorem). So a shape only has
+// to give its surface: flat triangles, strips of cylinders about edges, pieces of balls about corners.
 #include <array>
 #include <cmath>
 #include <map>
@@ -209,7 +209,7 @@ Moments of_hull(const HullData<T>& hull, double r) {
     return moved(revolved(length(d) / 2, 0, r, 0, r), pose);
   }
   if (hull.dimension == 2 && r == 0) return {};
-  // About a point of the body, so that far from the origin no digits are lost.
+  // Moments are taken about a point of the body, so that far from the origin no digits are lost.
   HullData<double> near;
   near.dimension = hull.dimension;
   const Vec3d base = at(hull, 0);
@@ -236,10 +236,10 @@ Moments hull_of_supports(const Shape<T>& shape, int count) {
   return of_points(points, 0);
 }
 
-/// What has no closed form. What a hull of n support points lacks falls as 1 / n where the surface is smooth and is
-/// nothing where it is flat, so two hulls tell what is left of it (Richardson 1911, "The approximate arithmetical
-/// solution by finite differences"): 0.2 % of a ball's volume for 4,000 points become 0.006 %, 0.02 %
-/// of a spheroid's of 1 : 2.
+/// The moments of a shape without a closed form. The volume that a hull of n support points lacks falls as 1 / n where
+/// the surface is smooth and is nothing where it is flat, so two hulls give the limit (Richardson 1911, "The
+/// approximate arithmetical solution by finite differences"): of the 0.2 % of a ball's volume that 4,000 points lack
+/// 0.006 % remain, for a spheroid of 1 : 2 0.02 %.
 template <class T>
 Moments sampled(const Shape<T>& shape) {
   const Moments coarse = hull_of_supports(shape, 1000), fine = hull_of_supports(shape, 4000);

@@ -50,8 +50,8 @@ T longest_side(const MeshData<T>& data) {
   return longest;
 }
 
-/// Whether the volume that a closed mesh bounds by its windings is positive. About a point of its own, since far from
-/// the origin the sum would be lost.
+/// Whether the volume that a closed mesh bounds by its windings is positive. The sum is taken about a point of the
+/// mesh, since far from the origin its digits would be lost.
 template <class T>
 bool leads_outward(const MeshData<T>& data) {
   const Vec3d origin = converted<double>(data.points[data.triangles[0][0]]);

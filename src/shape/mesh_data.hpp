@@ -1,4 +1,4 @@
-// What a mesh is made of.
+// The data of a mesh.
 //
 // Guarantee: indices are in range; the tree covers every triangle, but for those that repeat another.
 #pragma once
@@ -21,7 +21,7 @@ struct MeshData {
   T longest = T(0);                ///< side of all triangles
   double radius = 0;               ///< of a ball about the centre of the bounds, as rounded, that holds all of them
   bool closed = false;             ///< bounds a solid
-  bool outward = false;            ///< the same, and its fronts lead out of it: its volume is positive
+  bool outward = false;            ///< closed, and its fronts lead out of it: its volume is positive
   std::vector<bool> level;         ///< of each triangle: lies level with all around it
   std::vector<TrianglesAcross> neighbours;  ///< of each triangle
   Sides sides = Sides::both;
@@ -36,7 +36,7 @@ struct MeshData {
   }
 };
 
-/// Of the ball about a box's centre, which is off by a rounding; and a little more.
+/// The radius of a ball that holds a box, about its rounded centre, and a little more.
 template <class T>
 double ball_radius(const Aabb<T>& box) {
   constexpr double epsilon = std::numeric_limits<T>::epsilon();

@@ -12,11 +12,12 @@ namespace {
 
 using Index = std::array<std::uint32_t, 3>;
 
-/// A triangle lower than this, of its longest side, is a sliver: what remeshing tools call degenerate.
+/// The height of a triangle, as a part of its longest side, below which it is a sliver: remeshing tools call such a
+/// triangle degenerate.
 constexpr double sliver_height = 1e-3;
 
-/// A corner lies on an edge that is nearer than this, of the edge's length: the reach by which contacts decide as well
-/// (`on_piece` in `leaf_in_context.hpp`).
+/// The distance from an edge, as a part of its length, within which a corner lies on it: the reach by which contacts
+/// decide as well (`on_piece` in `leaf_in_context.hpp`).
 constexpr double on_edge = 1e-4;
 
 /// The number of the first point that lies at the place of each point.
@@ -45,7 +46,7 @@ struct Side {
 
 bool same_edge(const Side& a, const Side& b) { return a.low == b.low && a.high == b.high; }
 
-/// Works in `double`, so that no area is lost for being small beside the coordinates' scalar.
+/// The search for findings, in `double`, so that no area is lost for being small beside the coordinates' scalar.
 template <class T>
 class Finder {
  public:
@@ -82,7 +83,7 @@ class Finder {
     const Vec3d a = point(t[0]), b = point(t[1]), c = point(t[2]), area = cross(b - a, c - a);
     const double longest = greatest(length(b - a), greatest(length(c - b), length(a - c)));
     const double height = longest > 0 ? length(area) / longest : 0;
-    // What the coordinates' own rounding makes of a line is a line.
+    // A triangle as low as the rounding of its coordinates is a line.
     const double rounding = 2.0 * static_cast<double>(std::numeric_limits<T>::epsilon()) *
                             greatest(max_abs(a), greatest(max_abs(b), max_abs(c)));
     if (!(height > rounding)) {

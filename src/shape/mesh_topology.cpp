@@ -17,7 +17,7 @@ bool before(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// A triangle's corners in an order that tells whether two are the same.
+/// A triangle's corners in an order by which two triangles can be compared.
 template <class T>
 std::array<Vec3<T>, 3> canonical(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
   if (a == b || b == c || c == a) {
@@ -28,14 +28,14 @@ std::array<Vec3<T>, 3> canonical(const Vec3<T>& a, const Vec3<T>& b, const Vec3<
   return before(b, c) ? std::array{b, c, a} : std::array{c, a, b};
 }
 
-/// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the finaliser.
+/// The finaliser of Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators".
 std::uint64_t mixed(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);
 }
 
-/// Not every standard library has `std::bit_cast`.
+/// The bits of a number. Not every standard library has `std::bit_cast`.
 std::uint64_t bits_of(double value) {
   std::uint64_t bits;
   std::memcpy(&bits, &value, sizeof bits);
@@ -103,7 +103,7 @@ std::vector<bool> level_triangles(std::span<const Vec3<T>> points, std::span<con
     if (!paired) level[i] = level[j] = 0;
     return true;
   });
-  // Half of it from the first normal seen at a corner, so that no two there differ by more than the whole.
+  // Half of the sine from the first normal seen at a corner, so that no two there differ by more than the whole.
   std::vector<Vec3<T>> normals(points.size());
   for (const Index& t : triangles) {
     if (repeats_corner(t)) continue;
@@ -138,7 +138,7 @@ std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points, 
   };
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const std::uint64_t a = hashes[triangles[i][0]], b = hashes[triangles[i][1]], c = hashes[triangles[i][2]];
-    // A sum knows no order, and each place counts once in it.
+    // A sum does not depend on the order, and each place counts once in it.
     const std::uint64_t hash = mixed(a + (b != a ? b : 0) + (c != a && c != b ? c : 0));
     const std::uint64_t part = hash & 0xffffffff00000000u;
     const auto repeats = [&](std::uint64_t held) {

@@ -1,4 +1,4 @@
-// What the triangles of a mesh have to do with each other.
+// Relations between the triangles of a mesh: across common edges, level, or upon each other.
 #pragma once
 
 #include <span>
@@ -41,7 +41,7 @@ class EdgeUses {
     std::uint32_t high, triangle;
     bool upwards;
   };
-  /// Behind the last use of the edge that begins at `at`, of which point i is the lesser end.
+  /// The place behind the last use of the edge that begins at `at`, of which point i is the lesser end.
   std::size_t end_of_edge(std::uint32_t i, std::size_t at) const {
     std::size_t next = at + 1;
     while (next < begin_[i + 1] && uses_[next].high == uses_[at].high) ++next;
@@ -52,19 +52,19 @@ class EdgeUses {
   std::vector<Use> uses_;             ///< those of one edge side by side, upwards first
 };
 
-/// Triangles lie level whose normals differ by less than this: an eighth of the sine below which a contact's normal
-/// counts as that of a face, so that any other is none of the surface's.
+/// The sine of the angle between normals below which triangles lie level: an eighth of that below which a contact's
+/// normal counts as that of a face, so that any other is none of the surface's.
 template <class T>
 inline constexpr T level_sine = T(2.5e-5);
 
-/// Which triangles lie level with all that share a corner with them, the surface going on all around: no contact on
-/// their edges and corners has a normal but the face's. Cost n.
+/// For each triangle whether it lies level with all that share a corner with it, the surface going on all around: no
+/// contact on its edges and corners has a normal but the face's. Cost n.
 template <class T>
 std::vector<bool> level_triangles(std::span<const Vec3<T>> points,
                                   std::span<const std::array<std::uint32_t, 3>> triangles, const EdgeUses& edges);
 
 /// The triangles, by number, that do not repeat an earlier one: the same corners in the same turn, or, without area for
-/// two corners at one place, the same points. What repeats changes no answer, and piled up in thousands costs the
+/// two corners at one place, the same points. A repetition changes no answer, but thousands at one place cost the
 /// square of their number. Cost n.
 template <class T>
 std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points,

@@ -1,9 +1,8 @@
-// What a ray asks of a leaf's triangles, in two lines of memory: their corners side by side in sixteen bits a
-// coordinate, enough to tell of most triangles that the ray passes them, and which points of the mesh they are.
+// A leaf's triangles as a ray reads them, in two lines of memory: their corners side by side in sixteen bits a
+// coordinate, enough to rule out most triangles that the ray misses, and the points of the mesh at these corners.
 //
 // Guarantee: no coordinate is further from the corner's than `off` parts, of which a step of the leaf's node has
-// `parts` (a node's frame has 255 steps, hence 65535 parts), plus what rounding does to whoever computes it.
-#pragma once
+// `parts` (a node's frame has 255 steps, hence 65535 parts), plus the rounding of whatever computes it.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The bounds of what a hierarchy holds, under a pose, without a look at every piece.
+// The bounds of the pieces of a hierarchy under a pose, without a look at every piece.
 #pragma once
 
 #include "graze/pose.hpp"
@@ -6,14 +6,13 @@
 
 namespace graze {
 
-/// By how much of the whole the bounds of many pieces may be wider than need be on each side: to know the last digit of
-/// them would be to look at thousands of triangles of a smooth surface, a millisecond for a million in place of some
-/// microseconds.
+/// The share of the whole by which the bounds of many pieces may be too wide on each side: exact bounds would take a
+/// look at thousands of triangles of a smooth surface, a millisecond for a million in place of some microseconds.
 inline constexpr double loose_bounds = 1.0 / 128;
 
-/// The bounds of all pieces, each of which has `bounds_of(piece)` in the frame that the pose leads to. They contain
-/// them, but for a few roundings of the largest number involved, and are as tight for up to `few` pieces or without a
-/// turn. Six descents, one a side.
+/// The bounds of all pieces, each of which has `bounds_of(piece)` in the frame that the pose leads to. They contain the
+/// pieces, but for a few roundings of the largest number involved, and are as tight as can be for up to `few` pieces or
+/// without a turn. Six descents, one a side.
 template <class Hierarchy, class T, class BoundsOf>
 Aabb<T> placed_bounds(const Hierarchy& hierarchy, const Pose<T>& pose, const BoundsOf& bounds_of) {
   constexpr std::size_t few = 256;
@@ -21,8 +20,8 @@ Aabb<T> placed_bounds(const Hierarchy& hierarchy, const Pose<T>& pose, const Bou
   if (pose.rotation == Quat<T>{}) return {hierarchy.bounds().lower + t, hierarchy.bounds().upper + t};
   const Mat3<T> rotation = rotation_matrix(pose.rotation);
   Aabb<T> all = Aabb<T>::empty();
-  // What would move a side by rounding alone is not looked at: of a face that lies in the side, one piece is enough.
-  // Nor, of many, what would move it by little: the side is moved by as much instead.
+  // Pieces that would move a side by rounding alone are not looked at: of a face that lies in the side, one piece is
+  // enough. Nor, among many, are those that would move it by little: the side is moved by as much instead.
   const T size = greatest(max_abs(hierarchy.bounds().lower), max_abs(hierarchy.bounds().upper)) + max_abs(t);
   const T rounding = T(4) * std::numeric_limits<T>::epsilon() * size;
   const Vec3<T> extent = hierarchy.bounds().extent();

@@ -1,4 +1,4 @@
-// How far a shape reaches about its origin, for what turns.
+// The reach of a shape about its origin, for shapes that turn.
 //
 // Guarantee: no point of the shape, rounding included, is ever outside.
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace graze {
 
-/// The radius of the ball about the shape's origin that holds it; infinite for what has no end.
+/// The radius of the ball about the shape's origin that holds it; infinite for a shape without end.
 template <class T>
 T reach_of(const Shape<T>& shape) {
   if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
@@ -17,7 +17,7 @@ T reach_of(const Shape<T>& shape) {
   return shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.rounding()); });
 }
 
-/// The bounds of a shape at its pose, or, of one that turns, at all that it may come to.
+/// The bounds of a shape at its pose or, where it turns, at all poses that it may turn to.
 template <class T>
 Aabb<T> bounds_turning(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& angular) {
   if (angular == Vec3<T>{}) return bounds(shape, pose);

@@ -6,8 +6,9 @@ namespace graze {
 
 namespace {
 
-/// How many roundings, each of half a unit in the last place of the largest number involved, lie between a shape's
-/// numbers and its bounds: at most eight in turning the pose's quaternion to a matrix, three a product, three sums.
+/// The rounding between a shape's numbers and its bounds, relative to the largest number involved. Each
+/// operation rounds by half a unit in the last place: at most eight in turning the pose's quaternion to a
+/// matrix, three a product, three sums.
 template <class T>
 constexpr T bounds_rounding = T(16) * std::numeric_limits<T>::epsilon();
 

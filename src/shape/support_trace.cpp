@@ -9,7 +9,7 @@ namespace graze {
 
 namespace {
 
-/// Writes a descent into a trace, but for what each layer came to.
+/// Writes a descent into a trace, but for the winner of each layer.
 struct DescentRecorder {
   SupportTrace& trace;
 
@@ -62,7 +62,7 @@ SupportTrace explain_support(const ConvexHull<T>& hull, const Vec3<T>& direction
     trace.layers.back().winner = trace.vertex;
   } else {
     descended(data, direction, DescentRecorder{trace});
-    // Of those looked at the first that is as far as any: where the climb stood when the layer ended.
+    // The first of the furthest vertices looked at: where the climb stood when the layer ended.
     for (SupportLayer& layer : trace.layers) {
       const auto most = std::max_element(layer.along.begin(), layer.along.end());
       layer.winner = layer.looked_at[static_cast<std::size_t>(most - layer.along.begin())];

@@ -1,4 +1,4 @@
-// A node of a `WideTree` as plain data: what kernels read.
+// A node of a `WideTree` as plain data for kernels.
 //
 // Guarantee: the box that `at` gives for each child, though kept in eight bits a side, contains that child's pieces.
 #pragma once
@@ -8,8 +8,8 @@
 
 namespace graze {
 
-/// Its inner children come first, and stand one behind the other in the array of nodes; then its leaves, whose pieces
-/// stand one behind the other in the order of pieces. Lies on two lines of 64 bytes.
+/// Inner children come first, and stand one behind the other in the array of nodes; then leaves, whose pieces stand one
+/// behind the other in the order of pieces. A node lies on two lines of 64 bytes.
 template <class T>
 struct alignas(32) TreeNode {
   static constexpr std::size_t width = 8, leaf_size = 4;
@@ -23,7 +23,8 @@ struct alignas(32) TreeNode {
   std::uint8_t pieces[width];  ///< of a leaf: eight times its first piece's place from `first_piece`, plus how many
   std::uint8_t lower[3][width], upper[3][width];
 
-  /// One expression for the builder and for queries: what the builder found to contain, contains.
+  /// The place of a side. The builder and the queries share this expression, so that a box that the builder found to
+  /// contain its pieces does contain them.
   T at(std::size_t axis, unsigned q) const { return origin[axis] + static_cast<T>(static_cast<int>(q)) * step[axis]; }
 };
 

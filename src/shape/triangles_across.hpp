@@ -6,7 +6,7 @@
 
 namespace graze {
 
-/// Stands for the triangle beyond an edge that has no other.
+/// The number in place of the triangle beyond an edge that has no other.
 inline constexpr std::uint32_t no_triangle = 0xffffffff;
 
 /// The triangles that share the edges of one, by number: first that of the edge from its first corner to the second.

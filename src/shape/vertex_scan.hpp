@@ -1,6 +1,6 @@
 // The scan of a small hull's vertices on the lanes of a level. Only for `*.kernel.cpp`.
 //
-// Guarantee: as `furthest_vertex.hpp`.
+// Guarantee: that of `furthest_vertex.hpp`.
 #pragma once
 
 #include "shape/furthest_vertex.hpp"
@@ -8,12 +8,12 @@
 
 namespace graze::GRAZE_ISA {
 
-/// What rounding may make of the difference of two vertices' places along a direction, relative to the hull's extent
-/// and the direction's largest component: two and a half roundings of each of three products, which sum to no more than
-/// the square root of three, of two vertices; twice that.
+/// The rounding of the difference of two vertices' places along a direction, relative to the hull's extent and the
+/// direction's largest component: two and a half roundings of each of three products, which sum to no more than the
+/// square root of three, of two vertices; twice that.
 inline constexpr float scan_slack = 18 * std::numeric_limits<float>::epsilon();
 
-/// Where all products are too small for a float to hold, all vertices are looked at.
+/// The slack where all products are too small for a float to hold: all vertices are looked at then.
 inline constexpr float scan_floor = 16 * std::numeric_limits<float>::min();
 
 /// The larger lane by lane; the second where either is no number.
@@ -108,7 +108,7 @@ template <class T, class S>
   for (among &= among - 1; among != 0; among &= among - 1) {
     const std::uint32_t v = first();
     const S here = along(v);
-    // Without a jump: which of them is further is anybody's guess.
+    // A branch on which of them is further would be mispredicted often.
     best ^= (best ^ v) & (0u - static_cast<std::uint32_t>(here > most));
     most = here > most ? here : most;
   }
@@ -125,10 +125,10 @@ template <std::size_t Blocks, class T, class S>
   const Vec3<float> d = converted<float>(direction);
   const Places<Blocks> places(hull.blocks, d);
   const float slack = scan_slack * hull.extent * max_abs(d) + scan_floor;
-  // What is not known to be lower may be the one: also where overflow has left no number.
+  // A vertex that is not known to be lower may be the furthest: also where overflow has left no number.
   return places.not_less(places.most() - slack) & all_vertices(hull);
 }
-/// The bits of the vertices of which rounding does not tell which lies furthest along a direction; most often one.
+/// The bits of the vertices among which rounding leaves open which lies furthest along a direction; most often one.
 template <class T, class S>
 [[gnu::always_inline]] inline VertexBits highest(const ScannedHull<T>& hull, const Vec3<S>& direction) {
   if (hull.count > 2 * VertexBlock::size) return highest_of<most_scan_blocks>(hull, direction);

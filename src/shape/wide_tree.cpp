@@ -167,7 +167,7 @@ void set_frame(TreeNode<T>& node, const Aabb<T>& box) {
     origin = box.lower[axis];
     const T extent = top - origin;
     step = std::isfinite(extent) ? extent / T(steps) : top / T(steps) - origin / T(steps);
-    // What `at` rounds off is a few units of the larger side: doubling them passes it soon.
+    // The rounding of `at` is a few units of the larger side: doubled, a step soon passes it.
     for (T more = std::numeric_limits<T>::epsilon() * greatest(std::abs(top), std::abs(origin)) / T(steps);
          node.at(axis, steps) < top; more *= T(2))
       step = greatest(step + more, std::nextafter(step, std::numeric_limits<T>::max()));

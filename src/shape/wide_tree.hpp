@@ -1,4 +1,4 @@
-// A tree of bounds with eight children a node: what every composite is searched by.
+// A tree of bounds with eight children a node, by which every composite is searched.
 //
 // Guarantee: built once and immutable, safe to query from any thread; every piece is in exactly one leaf, and the box
 // of each node and leaf, though kept in eight bits a side, contains its pieces'. Not deeper than `deepest` binary
@@ -17,7 +17,7 @@
 
 namespace graze {
 
-/// What a tree is built of: a finite box, and the number that its owner knows the piece by.
+/// A piece of which a tree is built: a finite box, and the number that its owner gave the piece.
 template <class T>
 struct TreePiece {
   Aabb<T> box;
@@ -35,7 +35,7 @@ class WideTree {
   using Children = ChildBoxes<T, Ref, width>;
 
   WideTree() = default;
-  /// Cost n log n: a million triangles take a third of a second.
+  /// Builds the tree. Cost n log n: a million triangles take a third of a second.
   explicit WideTree(std::vector<TreePiece<T>> pieces);
 
   bool empty() const { return nodes_.empty(); }
