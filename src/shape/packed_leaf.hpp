@@ -3,6 +3,7 @@
 //
 // Guarantee: no coordinate is further from the corner's than `off` parts, of which a step of the leaf's node has
 // `parts` (a node's frame has 255 steps, hence 65535 parts), plus the rounding of whatever computes it.
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
