@@ -1,6 +1,6 @@
-// One of three things, in each lane another: of a single pair found by its place, across lanes by masks.
+// The choice of one of three axes, in each lane another: by its place for a single pair, by masks across lanes.
 //
-// Guarantee: nothing is computed but which.
+// Guarantee: choosing computes nothing: numbers are only moved.
 #pragma once
 
 #include "graze/mat3.hpp"
@@ -8,7 +8,7 @@
 
 namespace graze {
 
-/// What `yes()` gives where the condition holds, and else `no()`. Of a single pair only one of them is asked.
+/// The result of `yes()` where the condition holds, else that of `no()`. A single pair calls only one of them.
 template <class M, class Yes, class No>
 auto either(const M& condition, const Yes& yes, const No& no) {
   if constexpr (std::is_integral_v<M>)
@@ -17,7 +17,7 @@ auto either(const M& condition, const Yes& yes, const No& no) {
     return select(condition, yes(), no());
 }
 
-/// 1 where the condition holds, else 0. Of a single pair nobody foresees it, so nothing is jumped for.
+/// 1 where the condition holds, else 0. For a single pair without a branch, which would be mispredicted often.
 template <class S, class M>
 S one_where(const M& condition) {
   if constexpr (std::is_integral_v<M>)
@@ -26,16 +26,16 @@ S one_where(const M& condition) {
     return select(condition, S(1), S(0));
 }
 
-/// Of lanes.
+/// The choice across lanes.
 template <class S>
 class AxisPermutation {
   using Mask = decltype(S() < S());
 
  public:
   using Number = S;
-  /// The one of that number: 0, 1 or 2.
+  /// Chooses the axis of that number: 0, 1 or 2.
   explicit AxisPermutation(const S& number) : first_(number == S(0)), second_(number == S(1)) {}
-  /// The first, the second, or the last; at most one of the masks is set.
+  /// Chooses the first axis, the second, or the last; at most one of the masks is set.
   static AxisPermutation of(const Mask& first, const Mask& second) { return {first, second}; }
   /// The axis along which a vector is longest, the first of those.
   static AxisPermutation longest(const Vec3<S>& v) {
@@ -49,11 +49,11 @@ class AxisPermutation {
     return select(first_, x, select(second_, y, z));
   }
   S pick(const Vec3<S>& v) const { return pick(v.x, v.y, v.z); }
-  /// This column.
+  /// The column of this axis.
   Vec3<S> pick(const Mat3<S>& m) const { return {pick(m.row[0]), pick(m.row[1]), pick(m.row[2])}; }
   /// The vector's component along this axis last, the ones along those that follow it before.
   Vec3<S> turned(const Vec3<S>& v) const { return {pick(v.y, v.z, v.x), pick(v.z, v.x, v.y), pick(v)}; }
-  /// The same with rows.
+  /// A matrix with its rows in that order.
   Mat3<S> turned(const Mat3<S>& m) const {
     const Vec3<S>* row = m.row;
     return {{pick(row[1], row[2], row[0]), pick(row[2], row[0], row[1]), pick(row[0], row[1], row[2])}};
@@ -73,7 +73,7 @@ class AxisPermutation {
   Mask first_, second_;
 };
 
-/// Of a single pair.
+/// The choice of a single pair.
 template <class S>
 requires std::is_arithmetic_v<S>
 class AxisPermutation<S> {
@@ -81,7 +81,7 @@ class AxisPermutation<S> {
   using Number = S;
   explicit AxisPermutation(S number) : place_(static_cast<std::size_t>(static_cast<int>(number))) {}
   static AxisPermutation of(bool first, bool second) {
-    return AxisPermutation(std::size_t{!first} * (std::size_t{2} - std::size_t{second}));  // without a jump
+    return AxisPermutation(std::size_t{!first} * (std::size_t{2} - std::size_t{second}));  // without a branch
   }
   static AxisPermutation longest(const Vec3<S>& v) {
     const Vec3<S> a = abs(v);

@@ -5,8 +5,8 @@
 
 namespace graze {
 
-// The features that the levels v3 and v4 of the x86-64 psABI name and that compilers make use of; clang 14 does not
-// know the levels by their names. The operating system's part, saving the wider registers, is in the answer.
+// The features that the levels v3 and v4 of the x86-64 psABI name and that compilers make use of; clang 14 has no names
+// for the levels. The result includes the operating system's part, saving the wider registers.
 bool isa_available(Isa level) {
 #ifdef GRAZE_ONLY_LEVEL
   return level == Isa::GRAZE_ONLY_LEVEL;

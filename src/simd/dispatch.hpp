@@ -1,9 +1,9 @@
-// Which level of the instruction set kernels run at: chosen once, when first asked for.
+// The level of the instruction set that kernels run at: chosen once, at the first use.
 //
 // A kernel is a function in a `*.kernel.cpp`, which cmake/GrazeKernels.cmake compiles once a level; each copy lives in
 // the namespace of its level. Guarantee: every level gives the same bits, so that the choice is only one of speed. The
-// environment variable GRAZE_ISA (baseline, avx2, avx512) forces a level; what this machine does not have, or nobody
-// knows, is the best one there is.
+// environment variable GRAZE_ISA (baseline, avx2, avx512) forces a level; for an unknown name, or a level that this
+// machine does not have, the best one is taken.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ namespace graze {
 
 enum class Isa { baseline, avx2, avx512 };
 
-/// Whether the machine and its operating system can run that level.
+/// Whether the machine and its operating system can run a level.
 bool isa_available(Isa level);
 
 /// The level that kernels run at.
 Isa chosen_isa();
 
-/// The level of that name, or the best available one: what `chosen_isa` makes of GRAZE_ISA. Null is no name.
+/// The level of that name, or the best available one: the meaning of GRAZE_ISA. Null is no name.
 Isa isa_by_name(const char* name);
 
 }  // namespace graze

@@ -1,6 +1,6 @@
-// Functions that are one with all that they call, so that numbers stay in registers on their way through.
+// Functions into which everything is inlined that they call, so that numbers stay in registers on their way through.
 //
-// Guarantee: nothing but time depends on it.
+// Guarantee: only time depends on it.
 #pragma once
 
 // A sanitizer's checks in such functions take minutes to compile, and measure nothing.

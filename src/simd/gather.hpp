@@ -1,7 +1,7 @@
-// Loading what stands scattered in memory into lanes: rows of a few numbers, each from a place of its own, transposed
-// in registers; and the way back. Only for `*.kernel.cpp`.
+// Rows of a few numbers that stand scattered in memory, loaded into lanes: each from a place of its own, transposed in
+// registers; and the way back. Only for `*.kernel.cpp`.
 //
-// Guarantee: reads and writes the numbers asked for and nothing behind them.
+// Guarantee: reads and writes these numbers and nothing behind them.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct Vector {
 template <class T>
 using Four = typename Vector<T, 4>::type;
 
-/// `count` numbers, and zeros. In registers: g++ puts three copied into four together in memory, and to read back more
-/// at once than was written waits for the writes.
+/// `count` numbers, and zeros, put together in registers: g++ puts three copied into four together in memory, and
+/// reading back more at once than was written waits for the writes.
 template <class T, std::size_t count>
 [[gnu::always_inline]] inline Four<T> row_of(const char* from) {
   Four<T> row{};
@@ -58,20 +58,20 @@ template <class T, std::size_t N>
   else
     return joined(every_fourth<T, N / 2>(rows), every_fourth<T, N / 2>(rows + N / 2), std::make_index_sequence<N>());
 }
-/// Of each four numbers of `a` and `b` the first two or the last two, in turns.
+/// The first two or the last two of each four numbers of `a` and `b`, in turns.
 template <std::size_t Half, class V, std::size_t... I>
 [[gnu::always_inline]] inline V interleaved(const V& a, const V& b, std::index_sequence<I...>) {
   constexpr std::size_t n = sizeof...(I);
   return __builtin_shufflevector(a, b, (I / 4 * 4 + Half * 2 + I % 4 / 2 + (I % 2) * n)...);
 }
-/// Of each four numbers of `a` and then of `b` the first two or the last two.
+/// The first two or the last two of each four numbers of `a` and then of `b`.
 template <std::size_t Half, class V, std::size_t... I>
 [[gnu::always_inline]] inline V paired(const V& a, const V& b, std::index_sequence<I...>) {
   constexpr std::size_t n = sizeof...(I);
   return __builtin_shufflevector(a, b, (I / 4 * 4 + Half * 2 + I % 2 + (I % 4 / 2) * n)...);
 }
 
-/// Of four rows of four numbers each, standing side by side in the vectors' fours, the columns.
+/// The columns of four rows of four numbers each, which stand side by side in the vectors' fours.
 template <class V, std::size_t... I>
 [[gnu::always_inline]] inline void transpose(const V& r0, const V& r1, const V& r2, const V& r3, V (&out)[4],
                                              std::index_sequence<I...> all) {
@@ -119,7 +119,7 @@ template <class T, class Row, std::size_t count>
   constexpr std::size_t lanes = lanes_of<float>;
   typename Vector<float, lanes>::type rows[4];
   transpose(x.v, y.v, z.v, w.v, rows, std::make_index_sequence<lanes>());
-  // Of rows[k] the i-th four belongs to lane 4 i + k.
+  // The i-th four of rows[k] belongs to lane 4 i + k.
   for (std::size_t i = 0; i < lanes; ++i)
     std::memcpy(static_cast<char*>(to) + i * stride, reinterpret_cast<const float*>(&rows[i % 4]) + i / 4 * 4, 16);
 }

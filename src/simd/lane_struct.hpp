@@ -9,7 +9,7 @@
 
 namespace graze::GRAZE_ISA {
 
-/// How many lanes a scalar or a lane type has.
+/// The number of lanes of a scalar or a lane type.
 template <class S>
 inline constexpr std::size_t lanes_in = sizeof(S) / sizeof(typename LaneOf<S>::type);
 
@@ -35,7 +35,7 @@ template <class T, std::size_t count, class Row>
     const auto column = [&](std::size_t k) __attribute__((always_inline)) { return numbers[k < count ? k : 0].v; };
     typename Vector<T, lanes>::type rows[4];
     transpose(column(0), column(1), column(2), column(3), rows, std::make_index_sequence<lanes>());
-    // Of rows[k] the i-th four belongs to lane 4 i + k.
+    // The i-th four of rows[k] belongs to lane 4 i + k.
     for (std::size_t i = 0; i < lanes; ++i)
       std::memcpy(at(i), reinterpret_cast<const T*>(&rows[i % 4]) + i / 4 * 4, count * sizeof(T));
   } else {
@@ -55,7 +55,7 @@ template <class T, std::size_t first, std::size_t count, class Row>
 
 }  // namespace gathering
 
-/// The struct over S, a scalar or `Lanes`, of those that `row(lane)` points to.
+/// The struct over S, a scalar or `Lanes`, made of those that `row(lane)` points to.
 template <class S, class Struct, class Row>
 [[gnu::always_inline]] inline Struct gathered(const Row& row) {
   static_assert(std::is_trivially_copyable_v<Struct> && sizeof(Struct) % sizeof(S) == 0);
@@ -71,7 +71,7 @@ template <class S, class Struct, class Row>
   return s;
 }
 
-/// Writes each lane's struct to where `row(lane)` points.
+/// Writes each lane's struct to the place that `row(lane)` points to.
 template <class S, class Struct, class Row>
 [[gnu::always_inline]] inline void scatter_struct(const Struct& s, const Row& row) {
   static_assert(std::is_trivially_copyable_v<Struct> && sizeof(Struct) % sizeof(S) == 0);
@@ -85,7 +85,7 @@ template <class S, class Struct, class Row>
   }
 }
 
-/// As many numbers as S has lanes, which stand one behind the other.
+/// The lanes of S from as many numbers, which stand one behind the other.
 template <class S>
 [[gnu::always_inline]] inline S loaded_lanes(const typename LaneOf<S>::type* numbers) {
   if constexpr (lanes_in<S> == 1)

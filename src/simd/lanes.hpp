@@ -1,4 +1,4 @@
-// What kernels need beyond `Wide`: the width of their level, the lanes a comparison holds in as bits, and a store of
+// Additions to `Wide` for kernels: the width of their level, the lanes a comparison holds in as bits, and a store of
 // chosen lanes. Only for `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level, so that no code for one instruction set is
@@ -20,7 +20,7 @@
 #if defined(__x86_64__)
 namespace graze {
 
-/// The lanes of a mask that are set, as bits: for `any` and `all`, where one instruction tells them.
+/// The lanes of a mask that are set, as bits: for `any` and `all`, where one instruction gives them.
 template <class M>
 requires(sizeof(M) == 16 && M::lanes >= 2) [[gnu::always_inline]] inline std::uint32_t set_lanes(const M& mask) {
   if constexpr (M::lanes == 4)
@@ -64,7 +64,7 @@ inline constexpr int register_bytes = 16;
 template <class T>
 inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(T));
 
-/// As many of T as a register holds.
+/// As many lanes of T as a register holds.
 template <class T>
 using Lanes = Wide<T, lanes_of<T>>;
 
@@ -80,7 +80,7 @@ template <class M>
   }
 }
 
-/// The `part`-th of the registers that the lanes fill in double.
+/// The lanes in double: the `part`-th of the registers that they fill.
 template <std::size_t part, std::size_t... I>
 [[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<float>& x, std::index_sequence<I...>) {
   return Lanes<double>::of(__builtin_convertvector(__builtin_shufflevector(x.v, x.v, (part * sizeof...(I) + I)...),
@@ -96,14 +96,14 @@ template <std::size_t part>
   return x;
 }
 
-/// The lanes in which comparisons hold, joined by &. AVX-512 compares into registers of bits; elsewhere the join is
-/// done on whole lanes, since it is their bits that cost.
+/// The lanes in which comparisons hold, joined by &. AVX-512 compares into registers of bits; elsewhere whole lanes are
+/// joined, since turning them into bits is the expensive part.
 template <class T>
 class Chosen {
  public:
   static constexpr std::uint32_t all = (std::uint32_t{1} << lanes_of<T>)-1;
 
-  /// Where a <= b.
+  /// The lanes in which a <= b.
   [[gnu::always_inline]] static Chosen at_most(const Lanes<T>& a, const Lanes<T>& b) {
     Chosen c;
 #if defined(__AVX512F__)
@@ -116,7 +116,7 @@ class Chosen {
 #endif
     return c;
   }
-  /// Where a is not less than b, also where either is no number.
+  /// The lanes in which a is not less than b, also where either is no number.
   [[gnu::always_inline]] static Chosen not_less(const Lanes<T>& a, const Lanes<T>& b) {
     Chosen c;
 #if defined(__AVX512F__)
@@ -129,7 +129,7 @@ class Chosen {
 #endif
     return c;
   }
-  /// Where the numbers from `at` on have no bit in common with `bits`.
+  /// The lanes in which the numbers from `at` on have no bit in common with `bits`.
   [[gnu::always_inline]] static Chosen disjoint(const typename Lanes<T>::Bits* at, typename Lanes<T>::Bits bits) {
     Chosen c;
 #if defined(__AVX512F__)
@@ -153,7 +153,7 @@ class Chosen {
 #endif
     return c;
   }
-  /// Lane i is bit i.
+  /// The chosen lanes: lane i is bit i.
   [[gnu::always_inline]] std::uint32_t bits() const {
 #if defined(__AVX512F__)
     return mask_;
@@ -183,7 +183,7 @@ class Chosen {
   Mask mask_;
 };
 
-/// The bits of the lanes that hold a pair where so many are left.
+/// The bits of the lanes that hold a pair where `left` pairs are left.
 template <class T>
 [[gnu::always_inline]] inline std::uint32_t filled_lanes(std::size_t left) {
   return left < static_cast<std::size_t>(lanes_of<T>) ? (std::uint32_t{1} << left) - 1 : Chosen<T>::all;
@@ -193,13 +193,13 @@ template <class T>
 #if defined(__POPCNT__) || !defined(__x86_64__)
   return __builtin_popcount(bits);
 #else
-  // Of at most four lanes; the general one would be a call.
+  // Only for four lanes and fewer; the general function would be a call.
   return static_cast<int>((bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1));
 #endif
 }
 
 #if defined(__AVX2__) && !defined(__AVX512F__)
-/// For eight bits the places of those that are set, a byte each.
+/// The places of the bits that are set, for each eight bits, a byte each.
 struct ChosenPlaces {
   std::uint64_t bytes[256]{};
   constexpr ChosenPlaces() {
@@ -211,10 +211,11 @@ struct ChosenPlaces {
 inline constexpr ChosenPlaces chosen_places{};
 #endif
 
-/// How many numbers `store_chosen` may read and write, whatever it is asked for.
+/// The numbers that `store_chosen` may read and write, however few are chosen.
 inline constexpr int chosen_room = register_bytes / 4;
 
-/// Writes those of the lanes at `from` whose bits are set, one after the other; what follows them is overwritten too.
+/// Writes those of the lanes at `from` whose bits are set, one after the other; the numbers behind them are overwritten
+/// too.
 [[gnu::always_inline]] inline void store_chosen(std::uint32_t* to, const std::uint32_t* from, std::uint32_t bits) {
 #if defined(__AVX512F__)
   // Not straight to memory: that is microcode on some processors.
@@ -232,7 +233,7 @@ inline constexpr int chosen_room = register_bytes / 4;
 #endif
 }
 
-/// The same of lanes of numbers, of which there are as many in a register.
+/// `store_chosen` for lanes of numbers, of which there are as many in a register.
 template <class T>
 [[gnu::always_inline]] inline void store_chosen(const Lanes<T>& v, std::uint32_t bits, T* to) {
 #if defined(__AVX512F__)
@@ -258,7 +259,7 @@ template <class T>
   }
 }
 
-/// As `store_chosen`, but writes pairs: `first` and one of them.
+/// `store_chosen` for pairs: `first` and each of the chosen lanes.
 [[gnu::always_inline]] inline void store_chosen_pairs(std::uint32_t* to, std::uint32_t first, const std::uint32_t* from,
                                                       std::uint32_t bits) {
 #if defined(__AVX512F__)

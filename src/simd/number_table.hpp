@@ -8,8 +8,8 @@
 
 namespace graze::GRAZE_ISA {
 
-/// Of 32 floats, which stay where they are and of which those that are looked up are written; places are bytes, as many
-/// as lanes.
+/// A table of 32 floats, which stay where they are; lanes take the numbers at their places, which are bytes, as many as
+/// lanes.
 class NumberTable {
  public:
   static constexpr std::size_t size = 32;

@@ -1,9 +1,9 @@
-// A few numbers that the same is done to. Of a single pair they share registers of sixteen bytes, which every machine
-// has; of many pairs each is a register of its own already, one pair a lane. What is written once over these is quick
-// for both.
+// A few numbers that undergo the same operations. Those of a single pair share registers of sixteen bytes, which every
+// machine has; of many pairs each number is a register of its own already, one pair a lane. Code written once over
+// these is quick for both.
 //
-// Guarantee: every operation is number by number the IEEE operation of the scalar, as in `graze/wide.hpp`: the same
-// bits of a pair by itself and in a lane. All of it is inlined.
+// Guarantee: every operation is number by number the IEEE operation of the scalar, as in `graze/wide.hpp`: a pair has
+// the same bits by itself and in a lane. All of it is inlined.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ typedef double Doubles16 __attribute__((vector_size(16)));
 typedef float Floats32 __attribute__((vector_size(32)));
 typedef double Doubles32 __attribute__((vector_size(32)));
 
-/// Of lanes of S that are all bits or none: the i-th is bit i.
+/// The lanes of S, each of which has all bits set or none, as bits: the i-th is bit i.
 template <class S, class V>
 [[gnu::always_inline]] inline unsigned lane_bits(const V& lanes) {
 #if defined(__AVX2__)
@@ -36,7 +36,7 @@ template <class S, class V>
 #if defined(__SSE2__)
       if constexpr (sizeof(S) == 4)
     return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Floats16>(lanes)));
-  else  // NOLINT(readability-misleading-indentation): the same
+  else  // NOLINT(readability-misleading-indentation): its statement depends on the processor, too
     return static_cast<unsigned>(__builtin_ia32_movmskpd(reinterpret_cast<Doubles16>(lanes)));
 #else
   unsigned bits = 0;
@@ -47,8 +47,8 @@ template <class S, class V>
 
 }  // namespace detail
 
-/// N numbers of S, a scalar or a lane type. Comparisons give a `Mask`; `select` chooses by it. Those that fill the last
-/// register up may be anything.
+/// N numbers of S, a scalar or a lane type. Comparisons give a `Mask`; `select` chooses by it. The numbers that fill up
+/// the last register may be anything.
 template <class S, int N>
 struct Packed {
   static constexpr bool joined = std::is_arithmetic_v<S>;
@@ -66,7 +66,7 @@ struct Packed {
   struct Mask {
     typename Part::Mask part[parts];
 
-    /// The same for all.
+    /// A mask with one condition for all numbers.
     [[gnu::always_inline]] static Mask of(const Condition& all) {
       return each(Parts{}, [&](auto) {
         if constexpr (joined)
@@ -94,11 +94,11 @@ struct Packed {
     [[gnu::always_inline]] void store(decltype(S() < S())* to) const {
       for (int i = 0; i < N; ++i) to[i] = (*this)[i];
     }
-    /// Whether any of the N is set, of any pair.
+    /// Whether any of the N is set, for any pair.
     [[gnu::always_inline]] friend bool any(const Mask& mask) {
       constexpr int last = (N - (parts - 1) * per) * static_cast<int>(sizeof(S));
       if constexpr (joined && last < static_cast<int>(part_bytes)) {
-        // What fills the last part up is not asked.
+        // The numbers that fill up the last part do not count.
         std::uint64_t two[2];
         std::memcpy(two, &mask.part[parts - 1].bits, sizeof two);
         std::uint64_t joint = last == 4 ? static_cast<std::uint32_t>(two[0]) : two[0];
@@ -112,7 +112,7 @@ struct Packed {
         return any(joint);
       }
     }
-    /// Of a single pair: the i-th is bit i.
+    /// The mask of a single pair: the i-th number is bit i.
     [[gnu::always_inline]] unsigned bits() const requires(joined) {
       unsigned found = 0;
       for (int i = 0; i < parts; ++i) found |= detail::lane_bits<S>(part[i].bits) << (i * per);
@@ -128,7 +128,7 @@ struct Packed {
   Part part[parts];
 
   [[gnu::always_inline]] Packed() : part{} {}
-  /// All the same.
+  /// N equal numbers.
   [[gnu::always_inline]] explicit Packed(const S& all) : Packed(Parts{}, [&](auto) { return Part(all); }) {}
   template <class... V>
   requires(sizeof...(V) + 1 == N && N > 1) [[gnu::always_inline]] Packed(const S& first, const V&... others)
@@ -144,7 +144,7 @@ struct Packed {
         }) {}
   [[gnu::always_inline]] explicit Packed(const Vec3<S>& v) requires(N == 3) : Packed(v.x, v.y, v.z) {}
 
-  /// Reads what fills the last register up too.
+  /// Reads the N numbers, and those that fill up the last register.
   [[gnu::always_inline]] static Packed load(const S* from) {
     return Packed(Parts{}, [&](auto i) {
       if constexpr (joined)
@@ -160,7 +160,7 @@ struct Packed {
     else
       return part[i];
   }
-  /// Writes the N numbers, and those that fill the last register up.
+  /// Writes the N numbers, and those that fill up the last register.
   [[gnu::always_inline]] void store(S* to) const {
     if constexpr (joined)
       for (int i = 0; i < parts; ++i) part[i].store(to + i * per);
@@ -246,7 +246,7 @@ template <int I, int J, int K, class S>
     return gathered<I, J, K>(a, a, a);
   }
 }
-/// In the place of each of three the one that follows it in a ring, or precedes it.
+/// Three numbers in a ring, each replaced by the one that follows it; `preceding` by the one before it.
 template <class S>
 [[gnu::always_inline]] inline Packed<S, 3> following(const Packed<S, 3>& a) {
   return permuted<1, 2, 0>(a);
@@ -255,7 +255,7 @@ template <class S>
 [[gnu::always_inline]] inline Packed<S, 3> preceding(const Packed<S, 3>& a) {
   return permuted<2, 0, 1>(a);
 }
-/// One of them in the place of each of three.
+/// One of N numbers, three times.
 template <int I, class S, int N>
 [[gnu::always_inline]] inline Packed<S, 3> spread(const Packed<S, N>& a) {
   using From = Packed<S, N>;
@@ -326,7 +326,7 @@ requires(N % 4 == 0) [[gnu::always_inline]] inline S least_of(const Packed<S, N>
   }
 }
 
-/// Of four numbers and four more, which are counted on from 4, those at these places.
+/// The numbers at these places of four numbers and four more, which are counted on from 4.
 template <int I, int J, int K, int L, class S>
 [[gnu::always_inline]] inline Packed<S, 4> mixed(const Packed<S, 4>& a, const Packed<S, 4>& b) {
   using Four = Packed<S, 4>;

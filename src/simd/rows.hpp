@@ -1,5 +1,5 @@
-// Rows of a few numbers that stand one behind the other in memory: into lanes, a row each, and lanes back to rows, also
-// only those that are chosen. Only for `*.kernel.cpp`.
+// Rows of a few numbers that stand one behind the other in memory: loaded into lanes, a row each, and stored back from
+// lanes, also only from chosen ones. Only for `*.kernel.cpp`.
 //
 // Guarantee: reads the rows of the lanes and nothing behind them; the same bits at every level.
 #pragma once
@@ -23,7 +23,7 @@ template <class V>
   return v;
 }
 
-/// Of four rows of `width` numbers, four each from the `first`-th on, side by side.
+/// Four numbers, from the `first`-th on, of each of four rows of `width` numbers, side by side.
 template <std::size_t width, std::size_t first, class V, std::size_t... I>
 [[gnu::always_inline]] inline V four_rows(const float* from, std::index_sequence<I...>) {
   if constexpr (width == 4) {
@@ -125,8 +125,8 @@ template <std::size_t half, class V, std::size_t... I>
 [[gnu::always_inline]] inline V eights(const V& a, const V& b, std::index_sequence<I...>) {
   return __builtin_shufflevector(a, b, (I / 4 % 2 * 16 + (2 * half + I / 8) * 4 + I % 4)...);
 }
-/// The `part`-th sixteen numbers of rows of `width`, of which the first eight stand two rows to a register, and the
-/// ninth of all in `ninth`.
+/// The `part`-th sixteen numbers of rows of `width`. The first eight of each row stand two rows to a register, and the
+/// ninth of all rows in `ninth`.
 template <std::size_t width, std::size_t part, class V, std::size_t... I>
 [[gnu::always_inline]] inline V packed_rows(const V (&pairs)[8], const V& ninth, std::index_sequence<I...>) {
   constexpr std::size_t first = 16 * part / width / 2, second = first < 7 ? first + 1 : 7;
@@ -152,7 +152,7 @@ template <std::size_t width, class V, std::size_t... part>
 #endif
 
 /// Writes rows of `width` numbers, 5 to 9, of the lanes whose bits are set, one behind the other in the order of the
-/// lanes. As many rows as there are lanes may be written, of no matter what behind those.
+/// lanes. As many rows as there are lanes may be written; those behind the chosen ones are of no meaning.
 template <std::size_t width>
 [[gnu::always_inline]] inline void store_chosen_rows(const Lanes<float> (&columns)[width], std::uint32_t bits,
                                                      void* to) {
@@ -162,7 +162,7 @@ template <std::size_t width>
   using V = Lanes<float>::Vector;
   const __m512i ordered = _mm512_maskz_compress_epi32(
       static_cast<__mmask16>(bits), _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
-  // So that the rows that come to stand in one register follow each other.
+  // The order by which the rows that come to stand in one register follow each other.
   const __m512i places = _mm512_maskz_permutexvar_epi32(
       0xffff, _mm512_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7, 8, 10, 12, 14, 9, 11, 13, 15), ordered);
   const auto chosen = [](const Lanes<float>& v, const __m512i& from) __attribute__((always_inline)) {
@@ -180,7 +180,7 @@ template <std::size_t width>
   store_packed<width>(pairs, width > 8 ? chosen(columns[width - 1], ordered) : V{}, static_cast<char*>(to),
                       std::make_index_sequence<width>());
 #else
-  // Rows of those that are not chosen are written over by the next one.
+  // Rows of lanes that are not chosen are written over by the next one.
   constexpr std::size_t lanes = lanes_of<float>;
   for (std::size_t first = 0; first < width; first += 4) {
     const std::size_t from = first + 4 <= width ? first : width - 4;
@@ -196,7 +196,7 @@ template <std::size_t width>
 #endif
 }
 
-/// The lanes whose bits are set hold -1, the others 0.
+/// A vector of -1 in the lanes whose bits are set, and 0 in the others.
 template <class T, std::size_t... I>
 [[gnu::always_inline]] inline typename Lanes<T>::BitVector lanes_with(std::uint32_t bits, std::index_sequence<I...>) {
   using Whole = typename Lanes<T>::BitVector;
@@ -206,7 +206,7 @@ template <class T>
 [[gnu::always_inline]] inline typename Lanes<T>::BitVector lanes_with(std::uint32_t bits) {
   return lanes_with<T>(bits, std::make_index_sequence<lanes_of<T>>());
 }
-/// For each lane how many of the lanes before it hold a one; the others hold zeros.
+/// For each lane the number of lanes before it that hold a one; the others hold zeros.
 template <class T>
 [[gnu::always_inline]] inline typename Lanes<T>::BitVector ones_before(const typename Lanes<T>::BitVector& ones) {
   return gathering::summed_up<1>(ones, std::make_index_sequence<lanes_of<T>>()) - ones;
