@@ -1,7 +1,7 @@
-// For how long a translation is free of contact: a ray cast against the Minkowski difference of two cores.
+// The time for which a translation is free of contact: a ray cast against the Minkowski difference of two cores.
 //
-// Guarantee: until the time returned the cores stay further apart than asked; every step is proven by a plane between
-// them. The time is the one of contact, up to the tolerance, or earlier where GJK stalls.
+// Guarantee: until the time returned the cores stay further apart than the gap that is given; every step is proven by a
+// plane between them. The time is the one of contact, up to the tolerance, or earlier where GJK stalls.
 //
 // Method: van den Bergen 2004, "Ray casting against general convex objects with application to continuous collision
 // detection": GJK searches the plane nearest to the moving origin, and whenever the plane at hand separates, time goes
@@ -12,17 +12,17 @@
 
 namespace graze {
 
-/// More iterations gain less than a fresh start at the time reached.
+/// The most iterations: more gain less than a fresh start at the time reached.
 inline constexpr int translation_iterations = 24;
 
 struct FreeTranslation {
-  double t;         ///< until when the cores are proven to stay apart; infinity when they do throughout
+  double t;         ///< time until which the cores are proven to stay apart; infinity when they do throughout
   Simplex simplex;  ///< of their difference at that time
 };
 
-/// `support(n)` gives the points of both cores that lie nearest to each other along the unit vector n, at the begin;
-/// their difference then moves by `velocity` for `duration`. They are to stay `gap` apart; `enough` is a distance at
-/// which there is nothing to gain.
+/// The translation by `velocity` for `duration` that is free of contact. `support(n)` gives the points of both cores
+/// that lie nearest to each other along the unit vector n, at the beginning. The cores are to stay `gap` apart;
+/// `enough` is a distance at which there is nothing to gain.
 template <class Support>
 FreeTranslation free_translation(const Support& support, const Vec3d& start, const Vec3d& velocity, double gap,
                                  double enough, double duration) {

@@ -1,4 +1,4 @@
-// How long a plane between two moving convex shapes stays between them.
+// The time for which a plane between two moving convex shapes stays between them.
 //
 // Along a fixed direction n a point p that turns about its body's origin lies at n.p(t), whose rate is n.(w x p) and
 // whose second derivative is no more than |w| |n x w| r, r the point's distance from the axis. So p stays below n.p +
@@ -34,7 +34,7 @@ class PieceAt {
   Mat3d matrix_;
 };
 
-/// How much the turning of a shape may move its extent along a direction.
+/// A bound for the motion of a shape's extent along a direction by its turning.
 struct TurnBound {
   Vec3d tilt{};          ///< n x w
   double speed = 0;      ///< no point moves faster along n
@@ -70,10 +70,10 @@ class Separation {
         curvature_(turn_a.curvature + turn_b.curvature),
         closing_(turn_a.speed + turn_b.speed - opening_) {}
 
-  /// How fast the bodies' origins move apart.
+  /// The speed at which the bodies' origins move apart.
   double opening() const { return opening_; }
 
-  /// How fast the gap closes to first order: for all points extreme within a turn of `lean`.
+  /// The speed at which the gap closes to first order: for all points extreme within a turn of `lean`.
   double closing(double lean) {
     if (tilt_a_ == Vec3d{} && tilt_b_ == Vec3d{}) return -opening_;
     const double dt = lean / greatest(length(tilt_a_), length(tilt_b_));
@@ -94,12 +94,12 @@ class Separation {
     double dt, value, slope;
   };
 
-  /// q at 0, asked for once: its supports are half of what a step of shapes in contact asks.
+  /// The sample of q at 0, computed once: its supports are half of those of a step of shapes in contact.
   const Sample& start() {
     if (!start_) start_ = at(0);
     return *start_;
   }
-  /// q without its quadratic term.
+  /// A sample of q without its quadratic term.
   Sample linear(double dt) const {
     const Vec3d along_a = n_ + tilt_a_ * dt, along_b = n_ + tilt_b_ * dt;
     const Vec3d a = a_.support(along_a), b = b_.support(-along_b);
@@ -112,7 +112,8 @@ class Separation {
     return s;
   }
 
-  /// Where a parabola of q's curvature through the sample falls to 0: not before q, whose other part is concave.
+  /// The place where a parabola of q's curvature through the sample falls to 0: not before q, whose other part is
+  /// concave.
   double parabola_root(const Sample& s) const {
     const double d = std::sqrt(s.slope * s.slope + 2 * curvature_ * s.value);
     if (s.slope < 0) return s.dt + 2 * s.value / (d - s.slope);

@@ -1,76 +1,77 @@
-// Whether shapes in contact press against each other or slide along each other.
+// The distinction of shapes in contact that press against each other from those that slide along each other.
 //
 // Guarantee: shapes slide from one time to another only when a plane shows it: one along which they overlap, at both
 // times, by no more than they may sink. Shapes that pass through each other have no such plane, however thin they are:
-// what they may sink is a part of what both measure across the plane, and so leaves no way to its other side.
+// the depth to which they may sink is a part of their widths across the plane, and so leaves no way to its other side.
 #pragma once
 
 #include "cast/turning_envelope.hpp"
 
 namespace graze {
 
-/// Shapes that turn deep in each other may get deeper by so much of their depth: less takes thousands of steps a turn.
+/// The part of their depth by which shapes that turn deep in each other may get deeper: less takes thousands of steps a
+/// turn.
 inline constexpr double sinking_turned = 1.0 / 8;
 
 /// The part of the way to the middle of each other that shapes may sink: a quarter of it is far from the middle, where
 /// both sides of a thin shape are as near.
 inline constexpr double sinking_of_way = 1.0 / 4;
 
-/// Where coordinates are rounded to more than this part of the smaller shape, it is not known to slide.
+/// The part of the smaller shape to which coordinates may be rounded for it to be known to slide.
 inline constexpr double slack_of_size = 1.0 / 16;
 
-/// What a plane may show for shapes that slide, in what they may sink: steps end half as much deeper, and a plane that
-/// is taken over from another time is not the best of its own.
+/// The depth along a plane that still shows sliding, as a multiple of that to which shapes may sink: steps end half as
+/// much deeper, and a plane that is taken over from another time is not the best of its own.
 inline constexpr double sinking_shown = 3;
 
-/// The cosine below which a normal is that of the other side of what was met: near its end even a thick needle is
-/// thinner than shapes may sink, and its other side no proof that they slid.
+/// The cosine below which a normal is that of the other side of a shape that was met: near its end even a thick needle
+/// is thinner than shapes may sink, and its other side no proof that they slid.
 inline constexpr double opposite_side = -0.7;
 
 template <class T>
 class Sliding {
  public:
-  /// `tolerance`: the D of `graze/cast.hpp`; `slack`: what rounding to T may do to poses and coordinates.
+  /// `tolerance`: the D of `graze/cast.hpp`; `slack`: the rounding to T of poses and coordinates.
   Sliding(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, double tolerance, double slack)
       : motion_(motion), a_(a), b_(b), tolerance_(tolerance), slack_(slack) {}
 
-  /// The shapes are in contact at the start of the cast.
+  /// Begins with shapes that are in contact at the start of the cast.
   void start(const Impact& impact) {
     base_ = least(0.0, impact.distance);
     turns_deep_ = still() ? 0 : -base_ * sinking_turned;
   }
 
-  /// How much deeper the shapes may get along a normal than they were at the start.
+  /// The depth along a normal, beyond that at the start, to which the shapes may get.
   double may_sink(const Vec3d& n, const PieceAt<T>& a, const PieceAt<T>& b) {
     const double way = (width(a_, a, n) + width(b_, b, n)) / 2 + base_;
     return greatest(least(most_sinking(), way * sinking_of_way), least_sinking());
   }
   double base() const { return base_; }
 
-  /// Whether no plane of those at hand shows that the shapes slid from one impact to the next: the normal of either,
-  /// and the one between them along which they move.
+  /// Whether no plane at hand shows that the shapes slid from one impact to the next: neither that across the normal of
+  /// either, nor the one between them along which they move.
   bool passed(const Impact& from, const Impact& to, const PieceAt<T>& a, const PieceAt<T>& b) {
     return passed(from, to, to.t, a, b);
   }
 
-  /// `passed` of shapes that are apart at the second time. What is thin is apart again before it is on the other side,
-  /// so the plane is to show it for a while longer.
+  /// `passed` for shapes that are apart at the second time. Thin shapes are apart again before they are on the other
+  /// side, so the plane is to show it for a while longer.
   bool passed_out(const Impact& from, const Impact& to, const PieceAt<T>& a, const PieceAt<T>& b) {
     return passed(from, to, still() ? to.t + 2 * size() / length(motion_.velocity) : to.t, a, b);
   }
 
  private:
-  /// What no width of the shapes makes more, and what none makes less.
+  /// The depth to which shapes may sink at most, however wide they are.
   double most_sinking() {
     if (!(sink_ > 0))
       sink_ = sinking * static_cast<double>(cast_tolerance<T>) * size() + least(slack_, size() * slack_of_size);
     return greatest(sink_, turns_deep_);
   }
-  /// No less than what the distance itself is off by.
+  /// The depth to which they may sink in any case: the error of a distance.
   double least_sinking() const { return tolerance_ / 16; }
 
   bool still() const { return motion_.a.none() && motion_.b.none(); }
-  /// `a` and `b` are at the second time; until later than that only bodies go that do not turn.
+  /// `a` and `b` are at the second time; `until` is later than that only for bodies that do not turn.
   bool passed(const Impact& from, const Impact& to, double until, const PieceAt<T>& a, const PieceAt<T>& b) {
     std::optional<PieceAt<T>> begin_a, begin_b;
     const auto slid_from = [&](const Vec3d& n) {
@@ -98,7 +99,7 @@ class Sliding {
     if (is_half_space(piece)) return infinity;
     return dot(n, at.support(n) - at.support(-n)) + 2 * piece.radius;
   }
-  /// Half of how long a shape is, or no less: what has corners may stand far from the origin of its body.
+  /// Half of the length of a shape, or more: a shape with corners may stand far from the origin of its body.
   static double size(const Piece<T>& piece) {
     const double core = piece.shape.visit([](const auto& c) {
       using C = std::decay_t<decltype(c)>;

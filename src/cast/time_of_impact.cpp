@@ -13,9 +13,9 @@ namespace graze {
 
 namespace {
 
-/// A translation takes one step or two. A shape that turns takes ten to twenty, but at a gap of d times its radius,
-/// which is not that of its envelope, 2 pi / sqrt(2 d) a turn: this many are three turns at a millionth or a hundred at
-/// a thousandth, and cost some milliseconds.
+/// The most steps. A translation takes one step or two. A shape that turns takes ten to twenty, but at a gap of d times
+/// its radius, which is not that of its envelope, 2 pi / sqrt(2 d) a turn: this many are three turns at a millionth or
+/// a hundred at a thousandth, and cost some milliseconds.
 constexpr int most_steps = 1 << 14;
 
 /// The slope, relative to the speed of a motion, up to which it counts as sliding along. Normals of curved shapes are
@@ -43,13 +43,13 @@ std::optional<Interval> when_near(const PairMotion& motion, double radii, Interv
   return interval.begin <= interval.end ? std::optional(interval) : std::nullopt;
 }
 
-/// What counts as contact of the distance that contact is allowed to have: a distance of curved shapes is itself known
-/// to a tenth of that, and steps end where the shapes stay more than half of it apart.
+/// The part of the tolerance within which a distance counts as contact: that of curved shapes is itself known to a
+/// tenth of the tolerance, and steps end where the shapes stay more than half of it apart.
 constexpr double touching = 0.875;
 
-/// To what part of the tolerance GJK tells the distance at an impact. Where nothing is rounded that is about half the
-/// tolerance, so known to 2e-4 of itself, and the nearest point lies within the root of twice that of the true one,
-/// relative to its distance: the normal is right to 0.02.
+/// The part of the tolerance within which GJK finds the distance at an impact. Where nothing is rounded the distance is
+/// about half the tolerance, so known to 2e-4 of itself, and the nearest point lies within the root of twice that of
+/// the true one, relative to its distance: the normal is right to 0.02.
 constexpr double impact_goal = 1e-4;
 
 template <class T>
@@ -85,7 +85,7 @@ class Advancement {
       if (known && touches(*known) && separating_ == Separating::hit) return known;
     }
     Sliding<T> sliding_along(motion_, a_, b_, tolerance_, slack_);
-    // Of the contact that is under way: where it began to press, and where it last slid.
+    // The contact that is under way: the impact at which it began to press, and the one at which it last slid.
     std::optional<Impact> pressing, slid;
     for (int i = 0;; ++i) {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
@@ -108,7 +108,7 @@ class Advancement {
         if (step >= left) return std::nullopt;
       } else {
         if (separating_ == Separating::hit) return impact;
-        // What overlaps without end gets no deeper.
+        // An overlap without end gets no deeper.
         if (impact.status == Status::unbounded) return std::nullopt;
         // The distance of convex shapes is a convex function of a translation: one that does not fall never will.
         const bool over = still() && separation.opening() >= 0;
@@ -121,14 +121,14 @@ class Advancement {
         const double fell = pressing ? pressing->distance - impact.distance : 0;
         const bool approaches = approaching(separation);
         if (!approaches) {
-          // What has been pressed in along much the same normal and rocks back a little is not out again.
+          // A body that was pressed in along much the same normal and rocks back a little is not out again.
           if (!(fell > tolerance_) || dot(pressing->normal, impact.normal) < same_normal) pressing.reset();
           slid = impact;
         } else if (!pressing) {
           pressing = impact;
           slid.reset();
         }
-        // Nor may a body that falls by less than D in each of many casts come through in the end.
+        // A body that falls by less than D in each of many casts must not come through in the end either.
         if (!(left > 0)) {
           const bool deeper = fell > tolerance_ || (fell > 0 && impact.distance < -tolerance_);
           return approaches && deeper ? pressing : std::nullopt;
@@ -136,8 +136,8 @@ class Advancement {
         step = least(left, separation.stays_above(floor - greatest(sink, tolerance_ / 2) / 2, tolerance_ / 8, left));
       }
       if (i == most_steps || !(t + step > t)) {
-        // Where a distance is not known well enough for another step, its points may still be as near as they have to
-        // be.
+        // The points may still be as near as they have to be where a distance is not known well
+        // enough for another step.
         const bool near_enough = !touch && i < most_steps && impact.distance <= coarse_;
         impact.status = near_enough ? Status::converged : Status::bounded;
         return impact;
@@ -147,7 +147,7 @@ class Advancement {
   }
 
  private:
-  /// Whether points of both shapes are near enough; then it is no matter how good a bound of the depth or of the gap
+  /// Whether points of both shapes are near enough; then it does not matter how good a bound of the depth or of the gap
   /// has been found.
   bool touches(Impact& impact) const {
     if (impact.distance > touching * tolerance_) return false;
@@ -169,14 +169,15 @@ class Advancement {
     }
     double reach() const { return greatest(asked_.a_.core_reach, asked_.b_.core_reach) + max_abs(offset_); }
 
-    /// Until when they stay half the tolerance apart.
+    /// The translation until which the cores stay half the tolerance apart.
     FreeTranslation free(double duration) const {
       const double radii = asked_.radii(), tolerance = asked_.tolerance_;
       return free_translation([this](const Vec3d& n) { return support(n); }, offset_, asked_.motion_.velocity,
                               radii + tolerance / 2, radii + tolerance, duration);
     }
 
-    /// What GJK makes of the simplex left then; nothing when it does not prove the cores apart as well as it should.
+    /// The impact by GJK from the simplex that is left then; nothing where it does not prove the cores
+    /// apart as well as it should.
     std::optional<Impact> impact(const FreeTranslation& free, double t) {
       offset_ += asked_.motion_.velocity * free.t;
       const double exact = asked_.tolerance_ * impact_goal, radii = asked_.radii();
@@ -200,7 +201,7 @@ class Advancement {
     return compose(Posed{{}, turning.start}, piece.local);
   }
 
-  /// Of two boxes with sharp edges that do not turn: until when they stay half the tolerance apart.
+  /// The translation of two boxes with sharp edges that do not turn until which they stay half the tolerance apart.
   struct FreeBoxes {
     Posed pose_a;
     BoxTranslation way;
@@ -228,7 +229,7 @@ class Advancement {
     return way ? std::optional(FreeBoxes{pose_a, *way}) : std::nullopt;
   }
 
-  /// For how long all that the bodies ever turn through stays on its sides of the plane across `n`.
+  /// The time for which all places that the bodies ever turn through stay on their sides of the plane across `n`.
   double stays_outside(const Vec3d& n, double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const auto unbounded = [](const Piece<T>& piece, const Turning& turning) {
       return is_half_space(piece) && !turning.none();
@@ -243,7 +244,7 @@ class Advancement {
 
   double radii() const { return a_.radius + b_.radius; }
   bool still() const { return motion_.a.none() && motion_.b.none(); }
-  /// Faster than in sliding along.
+  /// Whether the shapes come closer, faster than in sliding along.
   bool approaching(Separation<T>& separation) const {
     const double speed = length(motion_.velocity) + length(motion_.a.angular) * finite(turning_radius_a_) +
                          length(motion_.b.angular) * finite(turning_radius_b_);
@@ -271,7 +272,7 @@ class Advancement {
     }
   }
 
-  /// Along the half-space's normal and no other: any other has no extent to speak of.
+  /// The impact along the half-space's normal: along any other a half-space has no bounded extent.
   Impact on_half_space(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const bool half_a = is_half_space(a_);
     const Vec3d up = rotate((half_a ? a : b).pose().rotation, Vec3d{0, 1, 0});
@@ -282,8 +283,8 @@ class Advancement {
     return {t, distance, n, pa, pb, Status::converged};
   }
 
-  /// Opposite half-spaces have a gap. All others overlap without end, and the point is one in both: the middle of their
-  /// origins moved down into each.
+  /// The impact of two half-spaces. Opposite ones have a gap. All others overlap without end, and the point is one in
+  /// both: the middle of their origins moved down into each.
   Impact of_half_spaces(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const auto up = [](const PieceAt<T>& at) { return unit(rotate(at.pose().rotation, Vec3d{0, 1, 0})); };
     const Vec3d na = up(a), nb = up(b), origin_a = a.pose().translation,

@@ -1,11 +1,12 @@
-// When two convex pieces of moving bodies first touch.
+// The first contact of two convex pieces of moving bodies.
 //
-// Guarantee: as `graze/cast.hpp` for convex shapes. Everything is in double and in world axes about A's moving origin.
+// Guarantee: that of `graze/cast.hpp`, for convex shapes. Everything is in double and in world axes
+// about A's moving origin.
 //
 // Method: conservative advancement. At a time when the shapes are apart, the plane between them is proven to stay
-// between them for a while; then the distance is asked anew. How long it stays is where the work is saved. A
-// translation follows its planes exactly, GJK searching for better ones as it goes (see `free_translation`). Of a shape
-// that turns, bounding the speed alone (Mirtich) gains a constant factor a step, while the shapes' extents along the
+// between them for a while; then the distance is computed anew. Work is saved by proving a long while. A translation
+// follows its planes exactly, GJK searching for better ones as it goes (see `free_translation`). For a shape that
+// turns, a bound of the speed alone (Mirtich) gains a constant factor a step, while the shapes' extents along the
 // plane's turning normal gain ever more digits a step (see `Separation`); and where all that a shape ever turns through
 // stays behind the plane, it stays for any number of turns (see `Envelope`).
 #pragma once
@@ -17,7 +18,7 @@
 
 namespace graze {
 
-/// How a body turns: about its origin, from `start`.
+/// The turning of a body about its origin, from `start`.
 struct Turning {
   Quatd start{};
   Vec3d angular{};
@@ -26,7 +27,7 @@ struct Turning {
   bool none() const { return angular == Vec3d{}; }
 };
 
-/// Two bodies on their ways: how each turns, and B's origin seen from A's.
+/// Two bodies on their ways: the turning of each, and B's origin seen from A's.
 struct PairMotion {
   Turning a, b;
   Vec3d offset{}, velocity{};
@@ -34,7 +35,7 @@ struct PairMotion {
   Vec3d offset_at(double t) const { return offset + velocity * t; }
 };
 
-/// A piece and where it sits in its body.
+/// A piece and its place in its body.
 template <class T>
 struct Piece {
   explicit Piece(const Shape<T>& shape, const Posed& local = {});
@@ -58,11 +59,11 @@ struct Impact {
   Status status;
 };
 
-/// What counts as contact.
+/// The rule by which shapes are in contact.
 struct CastRule {
   double tolerance;  ///< the D of `graze/cast.hpp`
   double coarse;     ///< that of the larger shape alone, for curved shapes whose distance is known no better
-  double slack;      ///< what rounding to T may have done to where the bodies stand and move
+  double slack;      ///< rounding to T of the poses and motions of the bodies
   Separating separating;
 };
 

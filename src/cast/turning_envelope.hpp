@@ -1,7 +1,7 @@
-// What a shape that turns about its body's origin ever covers.
+// The space that a shape ever covers while it turns about its body's origin.
 //
-// Guarantee: no less than it does cover, but for roundings far below the tolerance of a cast; exact for shapes that are
-// round about the axis, such as wheels and tops.
+// Guarantee: no less than the shape covers, but for roundings far below the tolerance of a cast; exact for shapes that
+// are round about the axis, such as wheels and tops.
 #pragma once
 
 #include "cast/separating_plane_bound.hpp"
@@ -24,7 +24,7 @@ inline Quatd to_y(const Vec3d& axis) {
 /// The distance from +Y.
 inline double from_axis(const Vec3d& p) { return std::sqrt(p.x * p.x + p.z * p.z); }
 
-/// What `turning_radius` is for a shape that is round about its own Y: exact when that is the axis.
+/// The `turning_radius` of a shape that is round about its own Y: exact when that is the axis.
 template <class T>
 double round_radius(const Piece<T>& piece, const Posed& upright) {
   return piece.shape.visit([&](const auto& c) {
@@ -38,7 +38,7 @@ double round_radius(const Piece<T>& piece, const Posed& upright) {
   });
 }
 
-/// No point of the core is further than this from the axis about which its body turns.
+/// The distance from the axis about which its body turns within which all points of a core lie.
 template <class T>
 double turning_radius(const Piece<T>& piece, const Turning& turning) {
   if (turning.none()) return 0;
@@ -53,8 +53,8 @@ double turning_radius(const Piece<T>& piece, const Turning& turning) {
   return least(piece.core_reach, least(from_axis(far), round_radius(piece, upright)) + slack * piece.core_reach);
 }
 
-/// All places that a core takes while its body turns lie in a cylinder about the axis; one that stands still is its
-/// own.
+/// The cylinder about the axis in which all places of a core lie while its body turns; for a body that stands still the
+/// core itself.
 template <class T>
 class Envelope {
  public:
@@ -65,7 +65,7 @@ class Envelope {
     top_ = dot(axis_, at.support(axis_));
     bottom_ = dot(axis_, at.support(-axis_));
   }
-  /// How far it reaches along a unit vector.
+  /// The extent along a unit vector.
   double along(const Vec3d& n, const PieceAt<T>& now) const {
     if (still_) return dot(n, now.support(n));
     const double up = dot(axis_, n);
