@@ -10,7 +10,7 @@ namespace graze {
 template <class T, class Space>
 void bin_pairs(std::span<const IdPair> pairs, std::span<const typename Space::Shape> shapes, Bins& out) {
   constexpr std::size_t types = Space::Shape::count;
-  // A byte a shape is near whichever pair asks for it.
+  // A byte a shape stays in a near cache, in whatever order pairs come.
   out.types.resize(shapes.size(), Bins::unseen);
   const auto look = [&](std::uint32_t i) { out.types[i] = static_cast<std::uint8_t>(shapes[i].index()); };
   if (pairs.size() < shapes.size())

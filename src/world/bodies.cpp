@@ -9,7 +9,8 @@ namespace graze {
 
 namespace {
 
-/// One in so many bodies that changed, from which on to look at all of them costs less than to sort those.
+/// The share of bodies that changed, one in so many, from which on a pass over all of them costs
+/// less than sorting those.
 constexpr std::size_t many = 16;
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace graze {
 
 namespace {
 
-/// Bodies a task: some microseconds of work.
+/// Bodies in a task: some microseconds of work.
 constexpr std::size_t bodies_per_task = 512;
 
 }  // namespace

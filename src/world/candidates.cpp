@@ -8,8 +8,9 @@ namespace graze {
 
 namespace {
 
-/// One in so many bodies that changed, from which on finding all pairs anew costs less than finding those of each body
-/// that moved in the tree: measured, the former takes some 90 ns a body and the latter about 1000 ns a body that moved.
+/// The share of bodies that changed, one in so many, from which on finding all pairs anew costs less than finding
+/// those of each body that moved in the tree: measured, the former takes some 90 ns a body and the latter about
+/// 1000 ns a body that moved.
 constexpr std::size_t few = 12;
 
 }  // namespace
@@ -78,8 +79,8 @@ void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<cons
   pairs_.resize(kept);
 }
 
-/// The pairs of what the tree knows, and those that it finds of what it does not know yet: what moved now, and where
-/// all pairs were found anew in between, then.
+/// Keeps the pairs of bodies that the tree has in their places, and adds those that it finds of all others: of bodies
+/// that moved now, or while all pairs were found anew in between.
 template <class T>
 void CandidateFinder<T>::find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                       std::span<const std::uint8_t> fixed) {

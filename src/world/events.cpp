@@ -9,7 +9,7 @@ namespace graze {
 
 namespace {
 
-/// By the indices of the two, and where these were given to another body, by that.
+/// The order of two pairs by the indices of their bodies, and where an index was given to another body, by generation.
 inline bool before(const BodyId& a, const BodyId& b, const BodyId& other_a, const BodyId& other_b) {
   const auto key = [](const BodyId& one, const BodyId& two) {
     return std::tuple(one.index, two.index, one.generation, two.generation);
@@ -28,7 +28,7 @@ void EventTracker::update(const BodyArrays<T, Space>& bodies, std::span<const Co
   const ContactEvent* const end = from + last.size();
   ContactEvent* const first = now_.extend(pairs.size() + last.size());
   ContactEvent* to = first;
-  // Where those are that still touched: ends are told once.
+  // Passes over ends, which are reported once: only pairs that still touched are compared.
   const auto skip_ends = [&] {
     while (from < end && from->kind == EventKind::end) ++from;
   };
@@ -37,7 +37,7 @@ void EventTracker::update(const BodyArrays<T, Space>& bodies, std::span<const Co
     skip_ends();
     return taken;
   };
-  // Number by number: what is put together elsewhere and copied as a whole waits until its bytes have been written.
+  // Number by number: an event that is put together elsewhere and copied as a whole waits until its bytes are written.
   const auto put = [&](EventKind kind, bool trigger, const BodyId& a, const BodyId& b, std::uint32_t pair) {
     static_assert(sizeof(ContactEvent) == 2 * sizeof(BodyId) + 8, "all of it is written");
     to->kind = kind;
@@ -55,7 +55,7 @@ void EventTracker::update(const BodyArrays<T, Space>& bodies, std::span<const Co
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     const BodyId a = bodies.id(pairs[i].a), b = bodies.id(pairs[i].b);
     const auto stays = [&] { return from < end && from->a == a && from->b == b; };
-    // Mostly the next one that touched still does.
+    // In most cases the next pair that touched still does.
     while (!stays() && from < end && before(from->a, from->b, a, b)) end_one();
     if (stays())
       put(EventKind::stay, take().trigger, a, b, i);

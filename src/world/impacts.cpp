@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t bodies_per_task = 16;
 
-/// How far any point of a body gets at most in a unit of time.
+/// The largest way of any point of a body in a unit of time.
 template <class T, class Space>
 T speed_of(const BodyArrays<T, Space>& bodies, std::uint32_t i) {
   return length(bodies.linear()[i]) + Space::speed_of_turning(bodies.shapes()[i], bodies.angular()[i]);
 }
 
-/// All that the body sweeps, however it turns on the way.
+/// The space that the body sweeps, however it turns on the way.
 template <class T, class Space>
 Sweep<T> sweep_of(const BodyArrays<T, Space>& bodies, std::uint32_t i, T duration, T room) {
   return safe_sweep(Space::bounds_turning(bodies.shapes()[i], bodies.poses()[i], bodies.angular()[i]),
@@ -38,7 +38,7 @@ void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree
                   std::vector<Impact<T, Space>>& out) {
   out.clear();
   std::vector<std::uint32_t> fast;
-  T fastest(0);  // of those that are not fast: so far they come towards a sweep
+  T fastest(0);  // the speed of bodies that are not fast: so far they come towards a sweep
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (bodies.alive()[i] == 0) continue;
     if (bodies.fast()[i] != 0)

@@ -1,4 +1,4 @@
-// What threads found, put one behind the other.
+// The results of threads, put one behind the other.
 #include <algorithm>
 #include <utility>
 
@@ -10,12 +10,12 @@ namespace graze {
 
 namespace {
 
-/// Pairs a range, and tasks that are copied at a time: some microseconds of work each.
+/// Pairs in a range, and tasks that are copied at a time: some microseconds of work each.
 constexpr std::size_t pairs_per_range = 4096, tasks_per_copy = 8;
 
 }  // namespace
 
-/// The pairs that touch, in their order.
+/// Lists the pairs that touch, in their order.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::join_pairs(Executor& executor) {
   std::size_t manifolds = 0, points = 0;
@@ -40,10 +40,11 @@ void ManifoldFinder<T, Space>::join_pairs(Executor& executor) {
   });
 }
 
-/// Those from `begin` to `end`, of which the first that touches comes to stand at `place`.
+/// Lists the touching pairs of those from `begin` to `end`, the first at `place`.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::join_pairs(std::size_t begin, std::size_t end, std::uint32_t place) {
-  // No branch would foresee which touch: each is written down, and written over by the next one where it does not.
+  // A branch on which pairs touch would be mispredicted often: each is written down, and written over by the next one
+  // where it does not.
   std::uint32_t touching[pairs_per_range];
   std::size_t count = 0;
   for (std::size_t i = begin; i < end; ++i) {
@@ -59,8 +60,8 @@ void ManifoldFinder<T, Space>::join_pairs(std::size_t begin, std::size_t end, st
   }
 }
 
-/// The manifolds and points, task by task; and beside that what the caller does with the pairs, which takes longer than
-/// any of the copies and is begun first.
+/// Copies the manifolds and points, task by task; beside that `paired` runs, the caller's own work on the pairs, which
+/// takes longer than any of the copies and is begun first.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::join_tasks(Executor& executor, const std::function<void()>& paired) {
   const bool in_place = std::all_of(tasks_.begin(), tasks_.end(), [](const Task& task) { return task.found == 0; });

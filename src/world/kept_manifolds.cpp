@@ -1,4 +1,4 @@
-// What the finding of manifolds takes over from the last call, and the lists that it leaves.
+// The state that finding manifolds takes over from the last call, and the lists that it leaves.
 #include <algorithm>
 #include <utility>
 
@@ -10,7 +10,8 @@ namespace graze {
 
 namespace {
 
-/// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
+/// The number of points up to which comparing all of them costs less than sorting them: all that two convex shapes
+/// have.
 constexpr std::size_t few_points = 16;
 
 }  // namespace
@@ -37,8 +38,8 @@ void ManifoldFinder<T, Space>::remember(std::span<const IdPair> pairs) {
   }
 }
 
-/// Whether a pair with a fixed body came or went though neither body changed: by its filters then. What the other one
-/// stands on beside it may be met otherwise.
+/// Whether a pair with a fixed body came or went though neither body changed: then its filters did. The contacts with
+/// other fixed bodies beside it may become others by that.
 template <class T, class Space>
 bool ManifoldFinder<T, Space>::ground_pairs_differ() const {
   const auto matters = [&](const IdPair& p) {
@@ -66,7 +67,7 @@ void ManifoldFinder<T, Space>::find_neighbours(const BodyArrays<T, Space>& bodie
       if ((seen_[p.b].traits & fixed) != 0) f(p.a, p.b);
     }
   };
-  // Only what is in a pair is touched.
+  // Only the bodies of pairs are touched.
   around_.resize(bodies.size());
   std::uint32_t count = 0, first = 0;
   each([&](std::uint32_t body, std::uint32_t) { around_[body] = {}; });
@@ -79,7 +80,7 @@ void ManifoldFinder<T, Space>::find_neighbours(const BodyArrays<T, Space>& bodie
   });
 }
 
-/// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
+/// Keeps the contacts of a pair of which nothing changed. Those that stood one behind the other are copied as one.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::keep_last(std::uint32_t place, Run& run, Task& task) {
   const std::uint32_t contact = contact_[place];
@@ -96,7 +97,7 @@ void ManifoldFinder<T, Space>::keep_last(std::uint32_t place, Run& run, Task& ta
   touch(place, task, end - last.manifold_count, last.manifold_count, last.overlap);
 }
 
-/// What a pair had after the last call; its points stand one behind the other.
+/// The points of a pair after the last call, which stand one behind the other.
 template <class T, class Space>
 std::span<const SolverPoint<T, Space>> ManifoldFinder<T, Space>::last_points(std::uint32_t place) const {
   const std::uint32_t contact = contact_[place];
@@ -107,8 +108,8 @@ std::span<const SolverPoint<T, Space>> ManifoldFinder<T, Space>::last_points(std
   return std::span(last_.points).subspan(first, manifolds.back().first_point + manifolds.back().point_count - first);
 }
 
-/// To points of the same features, which are single in the one manifold of two convex shapes; mostly they are the same
-/// ones in the same order.
+/// Carries impulses over to points of the same features, which are single in the one manifold of two convex shapes; in
+/// most cases they are the same ones in the same order.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::carry_one(std::uint32_t place, std::span<SolverPoint<T, Space>> points) const {
   const auto last = last_points(place);
@@ -123,7 +124,7 @@ void ManifoldFinder<T, Space>::carry_one(std::uint32_t place, std::span<SolverPo
   }
 }
 
-/// To points of the same features; of several, which only composites have, to the nearest.
+/// Carries impulses over to points of the same features; of several, which only composites have, to the nearest.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::carry_many(std::uint32_t place, std::span<SolverPoint<T, Space>> points,
                                           std::vector<SolverPoint<T, Space>>& sorted) const {

@@ -11,10 +11,10 @@ namespace graze {
 
 namespace {
 
-/// Pairs ahead of the one that is looked at, of which the bodies are fetched: some hundred nanoseconds.
+/// The number of pairs by which bodies are fetched ahead: some hundred nanoseconds.
 constexpr std::size_t ahead = 16;
 
-/// Pairs below which no second thread is asked for what takes each a nanosecond or two.
+/// The number of pairs below which work of a nanosecond or two for each is done by one thread.
 constexpr std::size_t few_pairs = 4096;
 
 }  // namespace
@@ -44,7 +44,7 @@ bool ManifoldFinder<T, Space>::kinds_stay(const BodyArrays<T, Space>& bodies) co
          });
 }
 
-/// Looks at what changed, or at all bodies where they have come to stand elsewhere in memory.
+/// Looks at the bodies that changed, or at all where they have come to stand elsewhere in memory.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::look(const BodyArrays<T, Space>& bodies) {
   ground_changed_ = false;
@@ -75,7 +75,7 @@ void ManifoldFinder<T, Space>::find(const BodyArrays<T, Space>& bodies, std::spa
   const bool same_bins = same_pairs && kinds_stay(bodies);
   SerialExecutor serial;
   Executor& some = pairs.size() < few_pairs ? serial : executor;
-  // Three parts that know nothing of each other, the longest, which takes as long as the other two, first.
+  // Three parts that do not depend on each other; the longest, which takes as long as the other two, comes first.
   some.run(3, [&](std::size_t part) {
     if (part == 0 && !same_bins) bin_pairs<T, Space>(pairs, bodies.shapes(), bins_);
     if (part == 1 && !same_pairs) remember(pairs);
@@ -91,14 +91,14 @@ void ManifoldFinder<T, Space>::find(const BodyArrays<T, Space>& bodies, std::spa
   join_tasks(some, paired);
 }
 
-/// The tasks of the first thread follow each other from the first one on: what it finds of them stands where it stays.
-/// All else is put there when everything is found, from wherever its thread had it.
+/// Finds the contacts of all pairs. The tasks of the first thread follow each other from the first one on, and its
+/// results stay where they are found. All others are put there when everything is found.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find_on_threads(const BodyArrays<T, Space>& bodies, Executor& executor) {
   static_assert(pairs_per_task <= most_chunk);
   const std::size_t tasks = (pairs_.size() + pairs_per_task - 1) / pairs_per_task;
   const std::size_t threads = std::clamp<std::size_t>(tasks, 1, executor.concurrency());
-  const std::size_t taken_by_first = threads;  // what the first thread takes of the others' tasks
+  const std::size_t taken_by_first = threads;  // where the first thread puts what it finds of the others' tasks
   if (found_.size() < threads + 1) found_.resize(threads + 1);
   now_.manifolds.swap(found_[0].manifolds.room());
   now_.points.swap(found_[0].points.room());
@@ -118,7 +118,7 @@ void ManifoldFinder<T, Space>::find_on_threads(const BodyArrays<T, Space>& bodie
   now_.points.swap(found_[0].points.room());
 }
 
-/// Kernels do not look at an axis, and for pairs that have one it would be as much memory again as all else about them.
+/// Kernels do not use an axis, and for pairs that have one it would be as much memory again as all else about them.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::keep_axes_where_of_use() {
   using Contacts = PairContacts<T, Space>;
@@ -129,7 +129,8 @@ void ManifoldFinder<T, Space>::keep_axes_where_of_use() {
   if (keeps_axes_) axes_.assign(pairs_.size(), {});
 }
 
-/// What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
+/// The fixed bodies beside a pair. A body that moves goes over the fixed bodies as over one; those that it may touch
+/// include the one of this pair.
 template <class T, class Space>
 auto ManifoldFinder<T, Space>::beside(const IdPair& pair) const -> Surroundings<T, PlacedRef> {
   Surroundings<T, PlacedRef> beside;
@@ -152,7 +153,7 @@ void ManifoldFinder<T, Space>::run_task(const BodyArrays<T, Space>& bodies, std:
   tasks_[number] = task;
 }
 
-/// The pairs of a task, which follow each other in the bins' order, kind by kind.
+/// Finds the contacts of a task's pairs, which follow each other in the bins' order, kind by kind.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find_some(const BodyArrays<T, Space>& bodies, Task& task) {
   const std::size_t begin = task.number * pairs_per_task, end = std::min(pairs_.size(), begin + pairs_per_task);
@@ -166,8 +167,9 @@ void ManifoldFinder<T, Space>::find_some(const BodyArrays<T, Space>& bodies, Tas
   }
 }
 
-/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one;
-/// so are those whose contacts what stands beside may change.
+/// Finds the contacts of pairs of one kind. Pairs that have to be computed anew are put together for the
+/// kernel of their kinds, if there is one; all others are taken one by one, and so are those whose contacts
+/// the bodies beside may change.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find_of_a_kind(const BodyArrays<T, Space>& bodies, std::span<const std::uint32_t> places,
                                               Waiting<T, Space>& waiting, Task& task) {
@@ -202,8 +204,8 @@ void ManifoldFinder<T, Space>::find_of_a_kind(const BodyArrays<T, Space>& bodies
   find_waiting(bodies, waiting, task);
 }
 
-/// Fetches what a pair asks of a body. Pairs are sorted by the first of their two, so the second is the one that may
-/// stand anywhere.
+/// Fetches the data of a body that a pair needs. Pairs are sorted by the first of their two, so the second is the one
+/// that may stand anywhere.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::fetch(const BodyArrays<T, Space>& bodies, std::uint32_t i) const {
   __builtin_prefetch(seen_.data() + i);
@@ -211,8 +213,8 @@ void ManifoldFinder<T, Space>::fetch(const BodyArrays<T, Space>& bodies, std::ui
   __builtin_prefetch(bodies.shapes().data() + i);
 }
 
-/// Notes a pair that touches, whose manifolds stand one behind the other among what its thread found. What is known of
-/// it from the last call is forgotten.
+/// Records a pair that touches, whose manifolds stand one behind the other among those of its thread. The link to its
+/// contacts of the last call is overwritten.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::touch(std::uint32_t place, Task& task, std::size_t first_manifold, std::size_t manifolds,
                                      bool overlap) {
@@ -227,7 +229,7 @@ void ManifoldFinder<T, Space>::keep_apart(std::uint32_t place) {
   contact_[place] = apart;
 }
 
-/// Whether the contacts of two convex bodies are what they are of all that stands still beside either, too.
+/// Whether the contacts of two convex bodies stay the same when all fixed bodies beside either count.
 template <class T, class Space>
 bool ManifoldFinder<T, Space>::stays(const BodyArrays<T, Space>& bodies, const IdPair& pair, const Vec& normal,
                                      std::span<const SolverPoint<T, Space>> points) const {
@@ -240,7 +242,7 @@ bool ManifoldFinder<T, Space>::stays(const BodyArrays<T, Space>& bodies, const I
   }
 }
 
-/// Notes the one manifold of a pair of convex bodies, whose points are the last ones that were found.
+/// Records the one manifold of a pair of convex bodies, whose points are the last ones that were found.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::keep(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task, bool overlap,
                                     const Vec& normal, std::size_t points) {
@@ -258,7 +260,7 @@ void ManifoldFinder<T, Space>::keep(const BodyArrays<T, Space>& bodies, std::uin
   found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points)});
 }
 
-/// The sink (`narrow/batch/contact_sink.hpp`) of a task: carries on what is kept of a pair from the last call.
+/// The sink (`narrow/batch/contact_sink.hpp`) of a task: carries the impulses of a pair on from the last call.
 template <class T, class Space>
 class ManifoldFinder<T, Space>::TaskSink {
  public:
@@ -283,7 +285,7 @@ class ManifoldFinder<T, Space>::TaskSink {
   void several(std::size_t i, T distance, const Vec& normal, const Points& points, std::size_t) {
     keep(i, distance, normal, points.append(points_));
   }
-  /// A pair of the plane: a row of two points, of which those are there whose bits are set.
+  /// Takes a pair of the plane: a row of two points, of which those exist whose bits are set.
   template <class Row>
   void row(std::size_t i, bool overlap, const Row& row, unsigned filled) {
     std::size_t points = 0;
@@ -319,7 +321,7 @@ class ManifoldFinder<T, Space>::TaskSink {
   Refilled<SolverPoint<T, Space>>& points_;
 };
 
-/// Asks the kernel about the pairs that wait for it; then none do.
+/// Passes the pairs that wait for the kernel to it, and empties the list.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find_waiting(const BodyArrays<T, Space>& bodies, Waiting<T, Space>& waiting,
                                             Task& task) {
@@ -329,7 +331,7 @@ void ManifoldFinder<T, Space>::find_waiting(const BodyArrays<T, Space>& bodies, 
   PairContacts<T, Space>::visit(waiting.lanes, waiting.pairs, count, sink);
 }
 
-/// Of two bodies the smaller margin; none of two that have no size.
+/// The smaller margin of two bodies; none where neither has a size.
 template <class T, class Space>
 T ManifoldFinder<T, Space>::margin_of(const IdPair& pair) const {
   const T margin = least(seen_[pair.a].margin, seen_[pair.b].margin);
@@ -353,7 +355,7 @@ void ManifoldFinder<T, Space>::find_one(const BodyArrays<T, Space>& bodies, std:
   find_composite(bodies, place, task);
 }
 
-/// Two convex bodies: first along the axis in which they were apart.
+/// Finds the contacts of two convex bodies: the axis in which they were apart is tried first.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find_single(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task) {
   const IdPair pair = pairs_[place];
@@ -375,7 +377,7 @@ void ManifoldFinder<T, Space>::find_single(const BodyArrays<T, Space>& bodies, s
   }
 }
 
-/// What consists of pieces, or meets several bodies that stand still as if they were one.
+/// Finds the contacts of a body that consists of pieces, or meets several fixed bodies as if they were one.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find_composite(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task) {
   const IdPair pair = pairs_[place];

@@ -1,9 +1,9 @@
 // Contacts put in the place of the last ones, where few pairs changed and have as many points as they had.
 //
-// Guarantee: each pair has what finding all of them anew would give it. Pairs and kinds are the same, so that whatever
-// has as many manifolds and points as before may stand where it stood; where any has not, nothing is put in place and
-// everything is found anew. So few bodies that move among many at rest cost what they do themselves, and a look at each
-// pair.
+// Guarantee: each pair has the contacts that finding all of them anew would give it. Pairs and kinds are the same, so
+// that a pair with as many manifolds and points as before may stand where it stood; where any pair has not, nothing is
+// put in place and everything is found anew. So few bodies that move among many at rest cost what they do themselves,
+// and a look at each pair.
 #include <algorithm>
 #include <utility>
 
@@ -16,14 +16,14 @@ namespace graze {
 
 namespace {
 
-/// The share of pairs, one in so many, up to which contacts are mended: of more that changed one is likely to have other
-/// points, and to copy those of the rest costs little beside finding these.
+/// The share of pairs, one in so many, up to which contacts are mended: of more that changed one is likely to have
+/// other points, and copying those of the rest costs little beside finding these.
 constexpr std::size_t pairs_per_asked = 8;
 
 }  // namespace
 
-/// Finds anew what changed, where that is little; returns whether all of it found its place. The last arrays stand in
-/// `last_`, and the new ones in `now_` when it has.
+/// Finds the changed pairs anew, where they are few; returns whether all of them found their place. The last arrays
+/// stand in `last_`, and the new ones in `now_` when they have.
 template <class T, class Space>
 bool ManifoldFinder<T, Space>::mend(const BodyArrays<T, Space>& bodies) {
   if (!list_asked()) return false;
@@ -37,7 +37,7 @@ bool ManifoldFinder<T, Space>::mend(const BodyArrays<T, Space>& bodies) {
   return all_fit;
 }
 
-/// The pairs that changed, kind by kind; false where they are too many.
+/// Lists the pairs that changed, kind by kind; false where they are too many.
 template <class T, class Space>
 bool ManifoldFinder<T, Space>::list_asked() {
   asked_places_.clear();
@@ -51,7 +51,7 @@ bool ManifoldFinder<T, Space>::list_asked() {
   return true;
 }
 
-/// Looks at them in tasks of one kind each. `touches_` and `contact_` tell what came out, as within a task.
+/// Finds these pairs anew in tasks of one kind each. The results are in `touches_` and `contact_`, as within a task.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find_asked(const BodyArrays<T, Space>& bodies) {
   constexpr std::size_t own = 1;  // the first one has the room of the arrays

@@ -1,6 +1,6 @@
-// How a world finds the contacts of a pair: what the finding of manifolds does not share between spaces.
+// The contacts of a pair in a world: the part of finding manifolds in which the spaces differ.
 //
-// Guarantee: for each pair what `contacts` of its space answers, bit for bit, but for what stands beside.
+// Guarantee: each pair has the answer of `contacts` of its space, bit for bit, but for fixed bodies beside it.
 #pragma once
 
 #include "composite/composite.hpp"
@@ -16,7 +16,7 @@ namespace graze {
 template <class T, class Space>
 struct PairContacts;
 
-/// In three dimensions: kinds of pairs with a kernel across lanes, other convex pairs one by one with the direction in
+/// Pairs in three dimensions: kinds with a kernel across lanes, other convex pairs one by one with the direction in
 /// which they were apart, and composites.
 template <class T>
 struct PairContacts<T, Space<T>> {
@@ -26,7 +26,7 @@ struct PairContacts<T, Space<T>> {
   static Lanes lanes(std::uint8_t type_a, std::uint8_t type_b) { return lane_table<T>(type_a, type_b); }
   static bool has_kernel(const Lanes& lanes) { return with_contact_lanes(lanes.pair); }
   static bool is_turned(const Lanes& lanes) { return lanes.turned; }
-  /// The shape as kernels take it, or null.
+  /// The concrete shape as kernels take it, or null.
   static const void* concrete(const Shape<T>& shape) { return concrete_for_lanes(shape); }
   template <class Sink>
   static void visit(const Lanes& lanes, const Pair* pairs, std::size_t count, Sink& sink) {
@@ -36,7 +36,7 @@ struct PairContacts<T, Space<T>> {
   static bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
     return any_overlap<T>(a, pose_a, b, pose_b);
   }
-  /// Whether pairs are asked for a single manifold, with an axis.
+  /// Whether convex pairs are computed as a single manifold, with an axis.
   static constexpr bool has_axes = true;
   static bool is_single(const Shape<T>& a, const Shape<T>& b) { return a.convex() && b.convex(); }
   static bool still_apart(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
@@ -56,7 +56,7 @@ struct PairContacts<T, Space<T>> {
     return any_contacts<T>(a, pose_a, b, pose_b, margin, manifolds, beside) <= T(0);
   }
 
-  /// Whether the contacts of two convex shapes are what they are of all that stands still beside either, too.
+  /// Whether the contacts of two convex shapes stay the same when all fixed bodies beside either count.
   static bool stays(const PlacedRef<T>& first, const PlacedRef<T>& second, const Surroundings<T>& beside,
                     const Vec3<T>& normal, std::span<const SolverPoint<T>> points) {
     const auto piece = [](const PlacedRef<T>& of, std::span<const PlacedRef<T>> around) {
@@ -68,7 +68,7 @@ struct PairContacts<T, Space<T>> {
   }
 };
 
-/// In the plane: kinds of pairs with a kernel, of shapes without a rounding, across lanes, all others one by one.
+/// Pairs in the plane: kinds with a kernel, of shapes without a rounding, across lanes, all others one by one.
 template <class T>
 struct PairContacts<T, plane::Space<T>> {
   using Shape = plane::Shape<T>;

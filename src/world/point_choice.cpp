@@ -28,13 +28,13 @@ void PointChoice<T, Space>::choose(std::size_t count) {
   }
 }
 
-/// Further from what is kept, or as far and deeper.
+/// Whether a point comes before another: it is further from those that are kept, or as far and deeper.
 template <class T, class Space>
 bool PointChoice<T, Space>::before(const Candidate& p, const Candidate& q) {
   return p.apart_squared > q.apart_squared || (p.apart_squared == q.apart_squared && p.distance < q.distance);
 }
 
-/// The points of one manifold, by its own `reduce`; `feature` takes a point's number through.
+/// Chooses among the points of one manifold, by its own `reduce`; `feature` takes a point's number through.
 template <class T, class Space>
 void PointChoice<T, Space>::choose_of_one(std::size_t count) {
   one_.normal = points_[0].normal;

@@ -1,4 +1,4 @@
-// The questions to a world: down its tree, and then to each body that is left.
+// The queries of a world: down its tree, and then at each body that is left.
 #include <algorithm>
 
 #include "composite/sweep.hpp"
@@ -14,7 +14,7 @@ constexpr T infinity = std::numeric_limits<T>::infinity();
 
 }  // namespace
 
-/// Brought up to date by whoever asks first after something changed.
+/// The tree, which the first query after a change brings up to date.
 template <class T, class Space>
 const DynamicTree<T>& World<T, Space>::tree() const {
   const std::uint64_t revision = bodies_.revision();
@@ -77,7 +77,7 @@ void World<T, Space>::nearest(const Shape& shape, const Pose& pose, std::size_t 
       found.insert(std::upper_bound(found.begin(), found.end(), candidate, before), candidate);
       if (found.size() > count) found.pop_back();
     }
-    // Bodies that overlap are told apart by their depth, which their boxes know nothing of.
+    // Bodies that overlap are ordered by their depth, for which their boxes give no bound.
     return greatest(furthest(), T(0));
   });
   out.insert(out.end(), found.begin(), found.end());
@@ -91,8 +91,8 @@ std::optional<BodyDistance<T, Space>> World<T, Space>::closest(const Shape& shap
   return one.empty() ? std::nullopt : std::optional(one.front());
 }
 
-/// Calls `f(hit)` for the bodies that the ray hits; `f` returns how far it has still to be followed, less than zero for
-/// no further.
+/// Calls `f(hit)` for the bodies that the ray hits; `f` returns the length to which it still has to be followed, less
+/// than zero for no further.
 template <class T, class Space>
 template <class F>
 void World<T, Space>::each_hit(const Ray& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const {
@@ -104,7 +104,7 @@ void World<T, Space>::each_hit(const Ray& ray, T length, const QueryFilter& filt
   const auto entries = [&](const WideNode<T>& node, std::array<T, WideNode<T>::width>& out) {
     node.entries(seen, out);
   };
-  // Finite, so that what the ray misses is left out.
+  // The limit is finite, so that boxes that the ray misses are left out.
   const auto limit = [&](T end) { return least(end + static_cast<T>(2 * slack), std::numeric_limits<T>::max()); };
   T end = length;
   tree().in_order(entries, limit(end), [&](std::uint32_t i, const Aabb<T>&) {
@@ -117,13 +117,13 @@ void World<T, Space>::each_hit(const Ray& ray, T length, const QueryFilter& filt
 
 namespace {
 
-/// Of two hits of rays or of casts.
+/// The order of two hits of rays or of casts.
 template <class Hit>
 bool before(const Hit& p, const Hit& q) {
   return p.hit.t != q.hit.t ? p.hit.t < q.hit.t : p.body < q.body;
 }
 
-/// Sorts what was appended from `first` on.
+/// Sorts the hits that were appended from `first` on.
 template <class Hit>
 void sort_hits(std::vector<Hit>& hits, std::size_t first) {
   std::sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), before<Hit>);
@@ -163,7 +163,7 @@ void World<T, Space>::raycast_all(const Ray& ray, T length, const QueryFilter& f
   sort_hits(out, first);
 }
 
-/// Calls `f(hit)` for the bodies that the shape meets; `f` returns until when the rest matters.
+/// Calls `f(hit)` for the bodies that the shape meets; `f` returns the time until which the rest matters.
 template <class T, class Space>
 template <class F>
 void World<T, Space>::each_met(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration,
@@ -177,7 +177,7 @@ void World<T, Space>::each_met(const Shape& shape, const Pose& pose, const Veloc
   };
   tree().in_order(entries, end, [&](std::uint32_t i, const Aabb<T>&) {
     if (!is_asked(filter, i)) return end;
-    // For the whole time, whatever is known already: the last digits of a time follow from how long is asked about.
+    // For the whole time, whatever is known already: the last digits of a time depend on the duration of the cast.
     const auto hit = Space::cast(shape, pose, velocity, bodies_.shapes()[i], bodies_.poses()[i], {}, duration, options);
     if (hit) end = f(BodyCastHit<T, Space>{bodies_.id(i), *hit});
     return end;

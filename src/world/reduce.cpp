@@ -1,4 +1,4 @@
-// How the arrays close up behind the points that are left out.
+// The closing up of arrays behind points that are left out.
 
 #include "graze/world/reduce.hpp"
 

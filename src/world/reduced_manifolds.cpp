@@ -1,12 +1,12 @@
-// The points of a pair that are left where it may have no more than so many. Others go before anything is carried over:
-// each point is carried to by itself.
+// The points of a pair that may have no more than so many. The others are dropped before anything is carried over,
+// since impulses are carried over point by point.
 #include "composite/composite.hpp"
 #include "graze/plane/space.hpp"
 #include "graze/world/manifolds.hpp"
 
 namespace graze {
 
-/// Leaves of the points from `first_point` on, all of one manifold, as many as a pair may have; returns that number.
+/// Keeps as many of the points from `first_point` on, all of one manifold, as a pair may have; returns that number.
 template <class T, class Space>
 std::size_t ManifoldFinder<T, Space>::reduce_one(Found& found, const Vec& normal, std::size_t first_point) const {
   const std::span<SolverPoint<T, Space>> points = found.points.filled().subspan(first_point);
@@ -20,7 +20,7 @@ std::size_t ManifoldFinder<T, Space>::reduce_one(Found& found, const Vec& normal
   return kept;
 }
 
-/// Leaves of all manifolds of a pair, from these places on, as many points as it may have, and no empty manifold.
+/// Keeps as many points of all manifolds of a pair, from these places on, as it may have, and no empty manifold.
 template <class T, class Space>
 void ManifoldFinder<T, Space>::reduce_many(Found& found, std::size_t first_manifold, std::size_t first_point) const {
   const std::span<ContactManifold<T, Space>> manifolds = found.manifolds.filled().subspan(first_manifold);

@@ -1,7 +1,7 @@
-// Tasks shared among threads, so that each has those that follow each other.
+// Tasks shared among threads, so that each thread has tasks that follow each other.
 //
-// Guarantee: every task is given out once, whatever threads ask in whatever order. No lock, and nobody waits for
-// anybody.
+// Guarantee: every task is given out once, whatever threads take them in whatever order. There is no lock, and no
+// thread waits for another.
 #pragma once
 
 #include <atomic>
@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// Each share is a range of the tasks. Its owner takes them from the front; who is done with his own takes the last of
-/// another's (Blumofe and Leiserson 1999, "Scheduling Multithreaded Computations by Work Stealing").
+/// Each share is a range of the tasks. Its owner takes them from the front; a thread without tasks left takes the last
+/// of another's (Blumofe and Leiserson 1999, "Scheduling Multithreaded Computations by Work Stealing").
 class Shares {
  public:
   Shares(std::size_t tasks, std::size_t shares) : left_(shares) {
@@ -19,14 +19,14 @@ class Shares {
       left_[i].range.store(packed(tasks * i / shares, tasks * (i + 1) / shares), std::memory_order_relaxed);
   }
 
-  /// The first task that is left of a share. False if none is.
+  /// Takes the first task that is left of a share. False if none is.
   bool take_own(std::size_t share, std::size_t& task) {
     return take(share, [&](std::uint64_t first, std::uint64_t end) {
       task = static_cast<std::size_t>(first);
       return packed(first + 1, end);
     });
   }
-  /// The last task that is left of any other share. False if none is.
+  /// Takes the last task that is left of any other share. False if none is.
   bool take_other(std::size_t share, std::size_t& task) {
     for (std::size_t i = 1; i < left_.size(); ++i)
       if (take((share + i) % left_.size(), [&](std::uint64_t first, std::uint64_t end) {
@@ -38,15 +38,15 @@ class Shares {
   }
 
  private:
-  /// Each on a line of its own, since its owner writes it again and again.
+  /// A share on a line of its own, since its owner writes it again and again.
   struct alignas(64) Left {
     std::atomic<std::uint64_t> range{};
   };
 
   static std::uint64_t packed(std::uint64_t first, std::uint64_t end) { return first << 32 | end; }
 
-  /// Changes a share to what `rest(first, end)` says is left of it. What tasks read and write is none of its business:
-  /// whoever runs the threads begins and ends them in order.
+  /// Changes a share to the rest `rest(first, end)` of it. The order is relaxed, since no data of the tasks depends on
+  /// it: whoever runs the threads begins and ends them in order.
   template <class Rest>
   bool take(std::size_t share, const Rest& rest) {
     std::atomic<std::uint64_t>& range = left_[share].range;

@@ -4,7 +4,7 @@ namespace graze {
 
 namespace {
 
-/// A motion leads into a plane when it does so by more than this sine: below are the roundings of a normal.
+/// The sine from which on a motion leads into a plane: below are the roundings of a normal.
 template <class T>
 constexpr T into = T(-64) * std::numeric_limits<T>::epsilon();
 
@@ -55,7 +55,7 @@ SlideResult<T> slide(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& 
     result.touched.push_back(*hit);
     const T made = hit->hit.t;
     result.pose.translation += result.left * made;
-    // Away from where a plane was met it need not hold any more.
+    // A plane need not hold any more away from where it was met.
     if (made > T(0)) normals.clear();
     normals.push_back(-hit->hit.normal);
     whole = whole * (T(1) - made);

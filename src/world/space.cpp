@@ -1,4 +1,4 @@
-// How far bodies that turn may get, in either space, and what is refused of bodies of the plane.
+// The reach of bodies that turn, in either space, and the bodies of the plane that are refused.
 #include "graze/world/space.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ namespace plane {
 
 namespace {
 
-/// The radius of the disc about the shape's origin that holds it; infinite for what has no end.
+/// The radius of the disc about the shape's origin that holds it; infinite for a shape without end.
 template <class T>
 T reach_of(const Shape<T>& shape) {
   return is_bounded(shape) ? extent(shape) : std::numeric_limits<T>::infinity();
@@ -59,8 +59,8 @@ auto Space<T>::checked(const Pose& pose) -> Pose {
   if (const char* expectation = validate::fault_of_coordinate(turn.sine))
     validate::fail("pose.rotation.sine", expectation, static_cast<double>(turn.sine));
   if (turn.cosine == T(0) && turn.sine == T(0)) validate::fail("pose.rotation", "not zero", "[0, 0]");
-  // One of unit length stays bit for bit, whereas to divide it once more by its length could change it: its square is off
-  // by twice three quarters of a rounding in each component, and by one in the sum.
+  // A rotation of unit length stays bit for bit, whereas dividing it once more by its length could change it: its
+  // square is off by twice three quarters of a rounding in each component, and by one in the sum.
   const T off = turn.cosine * turn.cosine + turn.sine * turn.sine - T(1);
   const bool is_unit = std::abs(off) <= T(4) * std::numeric_limits<T>::epsilon();
   return {pose.translation, is_unit ? turn : normalized(turn)};

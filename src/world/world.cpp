@@ -15,7 +15,7 @@ void World<T, Space>::update(T duration) {
   manifolds_.find(bodies_, filter(candidates), *executor_,
                   [&] { tracker_.template update<T, Space>(bodies_, manifolds_.contacts().pairs); });
   bodies_.settle();
-  tree_revision_ = no_revision;  // what was found without the tree is not in it yet
+  tree_revision_ = no_revision;  // it may lack changes for which pairs were found without it
   impacts_.clear();
   if (duration > T(0)) find_impacts(duration);
 }
@@ -31,14 +31,14 @@ void World<T, Space>::find_impacts(T duration) {
       *executor_, impacts_);
 }
 
-/// Of two whose filters agree: fixed bodies are no pair, and then the caller decides.
+/// Whether two bodies whose filters agree are a pair: fixed bodies are none, and then the caller decides.
 template <class T, class Space>
 bool World<T, Space>::is_pair(std::uint32_t a, std::uint32_t b) const {
   if (bodies_.fixed()[a] != 0 && bodies_.fixed()[b] != 0) return false;
   return !settings_.allow || settings_.allow(bodies_.id(a), bodies_.id(b));
 }
 
-/// The third stage. Where no filter can drop a pair, the candidates as they are.
+/// The third stage: the candidates that filters keep, or all of them where no filter can drop a pair.
 template <class T, class Space>
 std::span<const IdPair> World<T, Space>::filter(std::span<const IdPair> candidates) {
   if (!bodies_.filtered() && !settings_.allow) return candidates;
