@@ -32,10 +32,10 @@ inline Mat3d turned_axes(const Mat3d& linear) {
 /// The pose of a regular map: where it takes the origin, and how its axes are turned.
 inline Posed rigid_part(const Affine& map) { return {map.translation, rotation_quaternion(turned_axes(map.linear))}; }
 
-/// What files hold of a right angle is good to single precision.
+/// The precision of right angles in files, which hold numbers in single precision.
 inline constexpr double file_precision = 1e-5;
 
-/// Nothing when the axes of the map are not perpendicular up to `file_precision`.
+/// The map as a scale and a rigid motion; nothing when its axes are not perpendicular up to `file_precision`.
 inline std::optional<ScaledPose> without_shear(const Affine& map) {
   Vec3d axis[3] = {map.linear.column(0), map.linear.column(1), map.linear.column(2)};
   const Vec3d scale{length(axis[0]), length(axis[1]), length(axis[2])};
@@ -49,8 +49,8 @@ inline std::optional<ScaledPose> without_shear(const Affine& map) {
   return ScaledPose{{map.translation, rotation_quaternion(rotation)}, scale, mirrored};
 }
 
-/// What rounding may make of a volume that is zero, relative to the lengths of a map's three axes: in a chain of some
-/// hundred nodes each product loses a few times 1e-16.
+/// The rounding of a volume that is zero, relative to the lengths of a map's three axes: in a chain of some hundred
+/// nodes each product loses a few times 1e-16.
 inline constexpr double volume_rounding = 1e-12;
 
 /// False for zero volume up to rounding, relative to the map's own size: then no shape keeps its dimension.

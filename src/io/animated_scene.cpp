@@ -11,8 +11,8 @@ namespace graze::io {
 
 namespace {
 
-/// What rounding leaves of a right angle or of equal lengths in a product of maps. Files hold their turns in single
-/// precision, but a quaternion is a turn whatever its digits; what is further off is a shear.
+/// The rounding of a right angle or of equal lengths in a product of maps. Files hold their turns in single precision,
+/// but a quaternion is a turn whatever its digits; a larger error is a shear.
 constexpr double shear_rounding = 1e-9;
 
 Affine inverse(const Affine& map) {
@@ -35,7 +35,7 @@ std::optional<double> even_scale(const Mat3d& linear) {
   return scale;
 }
 
-/// The diagonal of a matrix that has nothing beside it, or nothing.
+/// The diagonal of a matrix that has only zeros beside it, or nothing.
 std::optional<Vec3d> diagonal(const Mat3d& m) {
   const Vec3d d{m.row[0].x, m.row[1].y, m.row[2].z};
   for (std::size_t i = 0; i < 3; ++i)
@@ -80,12 +80,12 @@ struct NodeMaps {
   std::vector<Affine> world;
 };
 
-/// A node whose keyframes are a body's motion seen from what the node hangs on.
+/// A node whose keyframes are a body's motion seen from the node's parent.
 struct MovedNode {
   std::size_t node;
-  std::optional<std::size_t> carrier;  ///< what it hangs on moves with this body, by its place among the moving
-  Posed rest{};                        ///< of what it hangs on: in the carrier's frame, or in the world
-  double scale = 1;                    ///< of what it hangs on
+  std::optional<std::size_t> carrier;  ///< the moving body, by its place among these, that its parent moves with
+  Posed rest{};                        ///< of its parent: in the carrier's frame, or in the world
+  double scale = 1;                    ///< of its parent
   std::vector<float> translations, rotations;
 };
 
@@ -125,7 +125,7 @@ class AnimatedScene final : public Recording {
   static void push(std::vector<float>& values, const Vec3d& v) {
     for (const double x : {v.x, v.y, v.z}) values.push_back(static_cast<float>(x));
   }
-  /// Of the two quaternions of a turn the one next to the last, so that players take the short way between them.
+  /// Appends a rotation: of its two quaternions the one next to the last, so that players take the short way.
   static void push(std::vector<float>& values, const Quatd& q) {
     const std::size_t n = values.size();
     const double parts[4] = {q.x, q.y, q.z, q.w};
@@ -142,8 +142,8 @@ class AnimatedScene final : public Recording {
     return std::nullopt;
   }
 
-  /// The node of a body, which keeps its place in the tree where a translation, a turn and its scale can say how it
-  /// moves there. Under what scales unevenly they cannot: it then hangs on a node of its own at the top.
+  /// The node of a body, which keeps its place in the tree where a translation, a turn and its scale can express its
+  /// motion there. Under a parent that scales unevenly they cannot: the node then hangs on one of its own at the top.
   MovedNode hung_node(const NodeMaps& maps, std::uint32_t b) {
     const Body& body = scene_.bodies[b];
     const auto node = static_cast<std::size_t>(body.node);
@@ -164,7 +164,7 @@ class AnimatedScene final : public Recording {
     return moved;
   }
 
-  /// At rest the two new nodes are what the node hung on before: the node itself stays as it is.
+  /// Hangs a body's node on two new ones, which at rest have the map of its parent: the node itself stays as it is.
   MovedNode hung_anew(const NodeMaps& maps, std::uint32_t b, const Affine& unscaled) {
     const Body& body = scene_.bodies[b];
     const auto node = static_cast<std::size_t>(body.node);
@@ -235,7 +235,7 @@ class AnimatedScene final : public Recording {
               {"componentType", float_component},
               {"count", values.size() / width},
               {"type", type}};
-    if (width == 1) {  // of the times, which the format wants to know
+    if (width == 1) {  // of the times, for which the format requires them
       json["min"] = {values.front()};
       json["max"] = {values.back()};
     }

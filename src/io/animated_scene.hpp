@@ -5,7 +5,7 @@
 
 namespace graze::io {
 
-/// As `record`, for glTF files.
+/// Records a simulation as `record` does, for glTF files.
 std::unique_ptr<Recording> record_animation(const std::filesystem::path& file, const Scene& scene,
                                             const std::filesystem::path& source);
 

@@ -73,8 +73,8 @@ void write_cast(const Question<T>& q, Trace* trace, JsonWriter& out) {
   if (!hit) return;
   out.key("t").number(hit->t).key("normal").vector(hit->normal);
   out.key("point").vector(hit->point);
-  // Before that time they do not touch. Whether they do then or later is proven of what touches at the start; of other
-  // bodies whose first contact could not be told it is anywhere up to the end.
+  // Before that time they do not touch. A contact then or later is proven where they touch at the start; where the
+  // first contact of other bodies could not be found, it is anywhere up to the end.
   const bool proven = hit->status == Status::converged || (hit->t == T(0) && overlap(a.shape, a.pose, b.shape, b.pose));
   write_bounded(proven, q.duration - hit->t, out);
 }

@@ -39,8 +39,8 @@ std::string AxisDrawing::caption() const {
   return fmt::format("{}: {} {:.4g}", axis_.name, axis_.overlap() >= 0 ? "overlap" : "gap", std::abs(axis_.overlap()));
 }
 
-/// One shape's interval as a bar, with a line to each end from the point of the shape that makes it. What is infinite
-/// is drawn as far as the rest reaches.
+/// One shape's interval as a bar, with a line to each end from the point of the shape that makes it. An infinite
+/// interval is drawn as far as the rest reaches.
 std::string AxisDrawing::shadow(const View& view, const std::vector<Vec3d>& points, double lower, double upper,
                                 double bar, const Color& color) const {
   const double from = std::clamp(lower, low_, high_), to = std::clamp(upper, low_, high_);
@@ -78,7 +78,7 @@ std::string half_panel(const Panel& panel, const Place& through, const Place& u)
   return points;
 }
 
-/// 3 digits at most, and groups of three: "1,250", or a power of ten beyond a million.
+/// An enlargement in words, with 3 digits at most, and groups of three: "1,250", or a power of ten beyond a million.
 std::string enlargement(double times) {
   const double power = std::pow(10.0, std::floor(std::log10(times)) - 1);
   const double rounded = std::round(times / power) * power;
@@ -95,7 +95,7 @@ bool needs_inset(const View& view, const TraceAxis& axis) {
   // An axis that points at the viewer has no length on the picture.
   const bool in_picture = std::hypot(view.x(tip) - view.x({}), view.y(tip) - view.y({})) > 0.5;
   const double pixels = std::abs(axis.overlap()) * view.scale();
-  // What is left of a gap by rounding is not worth seeing.
+  // A gap that is only rounding is not worth seeing.
   return pixels > 1e-9 && pixels < seen && in_picture;
 }
 

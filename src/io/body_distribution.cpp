@@ -8,7 +8,7 @@ namespace graze::io {
 
 namespace {
 
-/// Steiner's parallel axis theorem: what a mass at `arm` from the centre adds to an inertia.
+/// The inertia that a mass at `arm` from the centre adds (Steiner's parallel axis theorem).
 Mat3d at_arm(double mass, const Vec3d& arm) {
   const double square = length_squared(arm);
   Mat3d inertia;
@@ -24,7 +24,7 @@ Vec3d box_inertia(double mass, const Vec3d& size) {
   return Vec3d{s.y + s.z, s.z + s.x, s.x + s.y} * (mass / 12);
 }
 
-/// Of a ball of water: what has a mass and no shape has to turn somehow.
+/// The inertia of a ball of water, for a body with a mass and no shape.
 double ball_inertia(double mass) {
   const double radius = std::cbrt(0.75 * mass / (1000 * 3.14159265358979324));
   return 0.4 * mass * radius * radius;

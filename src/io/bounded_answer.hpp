@@ -1,4 +1,4 @@
-// What an answer says of itself when it is not proven within the library's tolerance.
+// The member of an answer that is not proven within the library's tolerance.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace graze::io {
 
-/// Writes how far off an answer may be that is not proven.
+/// Writes the error that an answer may have that is not proven.
 template <class T>
 void write_bounded(bool proven, T error, JsonWriter& out) {
   if (!proven) out.key("bounded").number(error);
 }
 
-/// Of manifolds, which are as sure as the least sure of them.
+/// Writes the error of manifolds, which are as sure as the least sure of them.
 template <class Manifold>
 void write_bounded_of(const std::vector<Manifold>& manifolds, JsonWriter& out) {
   bool proven = true;

@@ -5,7 +5,7 @@ namespace graze::io {
 
 namespace {
 
-/// A turn is drawn by so many copies, a translation by a few; more would hide each other.
+/// The number of copies that show a turn, and the most and the fewest of a motion; more would hide each other.
 constexpr double copies_a_turn = 12, most_copies = 24;
 constexpr int fewest_copies = 4;
 

@@ -10,7 +10,8 @@ namespace graze::io {
 
 namespace {
 
-/// Times in files are floats: an animation of 0.7 s ends at 0.69999999, and has a frame at 0.7 s.
+/// The rounding of times in files, which are floats: an animation of 0.7 s ends at 0.69999999, and has a frame at 0.7
+/// s.
 constexpr double float_rounding = 1.2e-7;
 
 const Animation& animation_of(const Scene& scene, std::size_t index) {
@@ -22,7 +23,7 @@ const Animation& animation_of(const Scene& scene, std::size_t index) {
   return animation;
 }
 
-/// How far the pair's deepest point is inside.
+/// The depth of the pair's deepest point.
 template <class T>
 std::optional<double> depth_of(const ContactArrays<T>& contacts, const ContactPair<T>& pair) {
   std::optional<double> depth;
@@ -49,7 +50,7 @@ class Player {
     }
   }
 
-  /// What happens at a time, which is not before the last.
+  /// The events at a time, which is not before the last.
   std::span<const FrameEvent> go_to(double t) {
     motion_.go_to(t);
     for (const MovedCollider& m : motion_.colliders()) follow(m, t);
@@ -76,7 +77,7 @@ class Player {
 
   void follow(const MovedCollider& m, double t) {
     try {
-      // One that is hidden keeps its place and collides with nobody.
+      // A collider that is hidden keeps its place and collides with none.
       world_.set_filter(ids_[m.index], m.shown ? filters_[m.index] : Filter{0, 0, 0});
       if (!m.shown) return;
       if (m.reshaped) world_.set_shape(ids_[m.index], in_precision<T>(m.shape));

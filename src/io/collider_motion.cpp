@@ -36,7 +36,7 @@ ColliderMotion::ColliderMotion(const Scene& scene, const Animation& animation) :
     return std::pair(x->node, x->property) < std::pair(y->node, y->property);
   });
 
-  // What moves: nodes with a channel, and all below them.
+  // Nodes that move: those with a channel, and all below them.
   std::vector<char> moves(tree.nodes.size(), 0), wanted(tree.nodes.size(), 0);
   for (const Channel* c : channels_) moves[c->node] = 1;
   for (const std::size_t n : tree.order)
@@ -95,7 +95,7 @@ void ColliderMotion::place(std::size_t i, double t) {
     return "nodes[" + std::to_string(steps_[made.step].node) + "] (in the world, at " + validate::number(t) + " s)";
   };
   moved.reshaped = false;
-  // Before it is said that the map has no volume, which infinities have not either.
+  // Infinities are refused first, as a map with them would seem to have no volume.
   for (const Vec3d& row : map.linear.row)
     if (!in_range(row)) validate::point(row, path() + ".scale");
   if (!in_range(map.translation)) validate::point(map.translation, path() + ".translation");

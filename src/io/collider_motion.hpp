@@ -1,4 +1,4 @@
-// Where an animation takes the colliders of a scene.
+// The motion of a scene's colliders by an animation.
 //
 // Guarantee: at every time a pose of finite numbers for each collider that is moved, and a new shape only where its
 // scale has changed by more than files hold; at rest, shape and pose are those of the scene up to rounding.
@@ -26,15 +26,15 @@ class ColliderMotion {
   /// Throws `InvalidValue` for a scene that has lost colliders since it was loaded.
   ColliderMotion(const Scene& scene, const Animation& animation);
 
-  /// Those that are moved, by index.
+  /// The colliders that are moved, by index.
   std::span<const MovedCollider> colliders() const { return moved_; }
-  /// Moves them to a time in seconds. Costs a few products a node, and a shape where the scale changes: microseconds
-  /// for a ball or box, as much as loading it for a mesh, milliseconds for what becomes a sampled hull. Throws
-  /// `InvalidValue` for what gets too large.
+  /// Moves the colliders to a time in seconds. Costs a few products a node, and a shape where the scale changes:
+  /// microseconds for a ball or box, as much as loading it for a mesh, milliseconds for a shape that becomes a sampled
+  /// hull. Throws `InvalidValue` for a collider that gets too large.
   void go_to(double t);
 
  private:
-  /// What is asked for on the way of some collider, parents first.
+  /// A node on the way to some collider; parents come first.
   struct Step {
     std::size_t node;
     std::ptrdiff_t parent;  ///< its place among the steps
@@ -42,7 +42,7 @@ class ColliderMotion {
     std::size_t first_channel, end_channel;
     Affine world{};
   };
-  /// What a shape was made of.
+  /// The parts of which a shape was made.
   struct Made {
     std::size_t step;
     Shaped base;

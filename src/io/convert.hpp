@@ -60,7 +60,7 @@ inline Compound<float> single(const Compound<double>& c) {
   return Compound<float>(std::move(children));
 }
 
-/// A user's shape asked in double and rounded.
+/// A user's shape whose support points are computed in double and rounded.
 class SingleSupport final : public SupportFunction<float> {
  public:
   explicit SingleSupport(UserConvex<double> shape) : shape_(std::move(shape)) {}
@@ -77,7 +77,7 @@ inline UserConvex<float> single(const UserConvex<double>& u) {
 
 }  // namespace detail
 
-/// The same shape with its numbers rounded to float. Throws `InvalidValue` for one that floats cannot hold.
+/// A shape with its numbers rounded to float. Throws `InvalidValue` for one that floats cannot hold.
 inline Shapef to_single(const Shaped& shape) {
   return shape.visit([&](const auto& c) -> Shapef {
     return {detail::single(c), static_cast<float>(shape.rounding())};

@@ -1,4 +1,4 @@
-// What only a picture of the plane shows: the projections of two boxes on all of their axes, and the Minkowski
+// The parts that only a picture of the plane has: the projections of two boxes on all of their axes, and the Minkowski
 // difference with the steps of a search in it.
 #include <fmt/format.h>
 
@@ -46,12 +46,12 @@ std::string frame(const Panel& p, bool chosen) {
                      chosen ? "" : R"( fill="none" stroke-width=".8")");
 }
 
-/// The panel without what its caption takes.
+/// The panel without the room of its caption.
 Panel inner(const Panel& p) { return {p.x + 10, p.y + 24, p.width - 20, p.height - 34}; }
 
 constexpr const char* difference_look = R"(fill="#81b29a" fill-opacity=".28" stroke="#5f8f78" stroke-width="1.2")";
 
-/// One step of a search: the polygon or simplex before it, which way it looked and what it found there.
+/// One step of a search: the polygon or simplex before it, the direction of the search and the point found there.
 struct Step {
   std::string caption;
   std::vector<Vec3d> polygon, simplex;
@@ -135,7 +135,7 @@ std::string draw_whole(const Explanation& e, const std::vector<Vec3d>& differenc
   if (e.cast) {
     out += line(view, {}, path_end, "arrow", 1.8) + dot_at(view, path_end, e.cast->hit ? "red" : "#868e96");
   } else if (axis) {
-    // From the origin to the nearest point of the outline: the depth or the distance, and the rounding with it.
+    // The way from the origin to the nearest point of the outline: the depth or the distance, and the rounding with it.
     const Vec3d nearest = axis->direction * (e.trace.rounding - axis->overlap());
     out += line(view, {}, nearest, axis->overlap() >= 0 ? "shared" : "gap", 2.4) +
            dot_at(view, nearest, axis->overlap() >= 0 ? "red" : "#868e96");
@@ -192,7 +192,7 @@ std::string draw_difference(const Explanation& e, double top) {
   Panel whole = difference_panel;
   whole.y += top;
   out += draw_whole(e, difference, whole);
-  // Of many steps the first and the last: in between each is a little nearer.
+  // The first and the last of many steps: in between each is a little nearer.
   const std::size_t shown = std::min(steps.size(), most_steps), first = shown < steps.size() ? shown / 2 : shown;
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t i = k < first ? k : steps.size() - (shown - k);

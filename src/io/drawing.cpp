@@ -56,7 +56,7 @@ namespace {
 
 constexpr Color pale{160, 166, 173};
 
-/// The class or colour of what is drawn over the shapes.
+/// The class or colour of a thing that is drawn over the shapes.
 std::string look_of(DrawMeaning meaning) {
   switch (meaning) {
   case DrawMeaning::contact: return "red";

@@ -1,4 +1,4 @@
-// Drawing in SVG what all pictures share: a view of the world, and on it shaded shapes, arrows, dots and lines.
+// The drawing in SVG that all pictures share: a view of the world, and on it shaded shapes, arrows, dots and lines.
 //
 // Guarantee: any scene gives a picture, however small or far away.
 #pragma once
@@ -24,7 +24,7 @@ constexpr Color mixed(const Color& a, const Color& b, double part) {
   return c;
 }
 std::string hex(const Color& color, double light = 1);
-/// The colour of what is drawn of a shape.
+/// The colour of a shape by its meaning in the picture.
 Color color_of(DrawMeaning meaning);
 /// Text between tags.
 std::string escaped(const std::string& text);
@@ -61,11 +61,11 @@ std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::st
 std::string dot_at(const View& view, const Vec3d& p, const std::string& look);
 
 /// Debug draw on a view: faces in the order in which they hide each other, and over all of them arrows, lines and dots,
-/// so that none is hidden. What touches nothing but light (triggers, the two of an explanation) shows what is behind
-/// it, and places along a way are pale.
+/// so that none is hidden. Shapes that touch nothing (triggers, the two of an explanation) are translucent, and places
+/// along a way are pale.
 class SvgDraw final : public DebugDraw {
  public:
-  /// Faces of at least `background` lie behind all others: where so large a face is hidden by its middle says nothing.
+  /// Faces of at least `background` lie behind all others: the middle of so large a face does not tell if it is hidden.
   SvgDraw(const View& view, const DrawArea& area, double background)
       : DebugDraw(area), view_(view), background_(background) {}
 
@@ -80,7 +80,7 @@ class SvgDraw final : public DebugDraw {
   /// A colour for faces instead of that of their meaning.
   void set_tint(const Color& color) { tint_ = color; }
 
-  /// The picture's parts: what hides each other, and what lies over it.
+  /// The picture's parts: faces, which hide each other, and the things that lie over them.
   std::string faces() const;
   std::string over() const;
 
@@ -106,7 +106,7 @@ std::string text(double x, double y, double size, const std::string& words, cons
 
 /// All pictures have one size, in pixels.
 inline constexpr double picture_width = 960, picture_height = 600;
-/// A scene may be one point. It is then drawn as if it had this size: the smallest that keeps the places of a picture
+/// The least size with which a scene is drawn, which may be one point: the smallest that keeps the places of a picture
 /// finite, which are a few coordinates times the picture's width, divided by the size.
 inline constexpr double least_size =
     16 * picture_width * largest_magnitude<double> / std::numeric_limits<double>::max();

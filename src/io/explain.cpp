@@ -85,7 +85,7 @@ void ask_distance(const Question<T>& q, Explanation& e) {
   e.overlap = e.distance->distance <= 0;
 }
 
-/// Fills in what the question is answered by.
+/// Fills in the answer to the question.
 template <class T>
 void ask(const Question<T>& q, Explanation& e) {
   switch (q.query) {

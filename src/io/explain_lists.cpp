@@ -104,7 +104,7 @@ std::string draw_spans(const Explanation& e) {
   const double most = e.ray->hit ? 4 * std::max(e.ray->hit->t, 1e-300) : high;
   high = std::min(high, most), low = std::max(low, -high);
   if (!(high > low)) return "";
-  high += 0.08 * (high - low);  // what begins last is seen too
+  high += 0.08 * (high - low);  // the span that begins last is seen too
   const auto x = [&](double t) { return bars_x + (std::clamp(t, low, high) - low) / (high - low) * bars_width; };
   const double row = std::min(widest_row, (picture_height - 60 - head_height) / static_cast<double>(spans.size()));
   std::string out = head(bars_x, "where along the ray") + head(number_x, "enters", "soft", "end");

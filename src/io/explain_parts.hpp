@@ -1,4 +1,4 @@
-// The parts of an explanation's picture: the shapes and beside them, one below the other, what was tried.
+// The parts of an explanation's picture: the shapes, and beside them the list of axes, spans or steps.
 #pragma once
 
 #include "graze/io/explain.hpp"
@@ -7,15 +7,15 @@
 namespace graze::io {
 
 inline constexpr double page_margin = 28, head_height = 64;
-/// Where the shapes are.
+/// The place of the shapes.
 inline constexpr Panel shapes_panel{page_margin, head_height + 8, 520, picture_height - head_height - page_margin - 16};
-/// Where the list is: names, bars and numbers.
+/// The place of the list: names, bars and numbers.
 inline constexpr double list_x = 590, name_width = 138, bars_x = list_x + name_width, bars_width = 138, number_x = 936;
 inline constexpr std::size_t most_rows = 20;
 
 inline const Color color_a = color_of(DrawMeaning::a), color_b = color_of(DrawMeaning::b);
 
-/// The axis, span or whatever of that name in a list, or null.
+/// The item of that name in a list, or null.
 template <class Item>
 const Item* named(const std::vector<Item>& items, const std::string& name) {
   for (const Item& item : items)
@@ -28,7 +28,7 @@ class AxisDrawing {
  public:
   AxisDrawing(const TraceAxis& axis, const Vec3d& toward, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b);
 
-  /// What the picture must have room for.
+  /// The points for which the picture must have room.
   std::vector<Vec3d> corners() const { return {at(low_, bar_b_), at(high_, bar_b_)}; }
   std::string draw(const View& view) const;
   /// "B0: overlap 0.6".
@@ -52,19 +52,19 @@ std::string chosen_row(double y, double height);
 
 /// Whether the overlap or the gap along an axis is too small to see.
 bool needs_inset(const View& view, const TraceAxis& axis);
-/// What the shapes leave free for an inset, from the top of their panel.
+/// The height that the shapes leave free for an inset, from the top of their panel.
 inline constexpr double inset_height = 132;
-/// How far both shapes reach along the axis, enlarged, above the shapes, with a line to `place`, where it is.
+/// The intervals of both shapes along the axis, enlarged, above the shapes, with a line to `place`, where they are.
 std::string draw_inset(const View& view, const TraceAxis& axis, const Vec3d& place);
 
 /// All axes as rows: the intervals of both shapes, to one scale; down to `bottom`.
 std::string draw_axes(const Explanation& e, double bottom);
-/// Of two boxes in the plane all four axes as projections, each in a panel of its own; nothing of other pairs.
+/// All four axes of two boxes in the plane as projections, each in a panel of its own; nothing of other pairs.
 std::string draw_projections(const Explanation& e, const Polygons& a, const Polygons& b, double bottom);
 /// The Minkowski difference of two shapes in the plane and in it the steps of GJK and EPA, from `top` down; nothing
 /// where the trace has none.
 std::string draw_difference(const Explanation& e, double top);
-/// How high that is.
+/// The height of that drawing.
 double difference_height(const Trace& trace);
 
 /// The spans of a ray as rows, to one scale, and where it hits.

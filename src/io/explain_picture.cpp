@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_points = 10;
 constexpr double id_row = 15;
 
-/// An axis in true length: the viewer looks across it, from about where was asked.
+/// A view of an axis in true length: the viewer looks across it, from about the direction `toward`.
 Vec3d across(const Vec3d& toward, const Vec3d& axis) {
   const Vec3d seen = toward - axis * dot(toward, axis);
   return length(seen) > 0.05 * length(toward) ? seen : any_perpendicular(axis);
@@ -36,7 +36,7 @@ class Stage {
   Aabbd box_ = Aabbd::empty();
 };
 
-/// Both bodies of an explanation, in space or in the plane, as what a picture needs of them. `b` is the second one.
+/// Both bodies of an explanation, in space or in the plane, in the form that a picture needs. `b` is the second one.
 class Drawn {
  public:
   explicit Drawn(const Explanation& e) : e_(e) {}
@@ -73,8 +73,8 @@ class Drawn {
   const Explanation& e_;
 };
 
-/// What of a ray is drawn: from its origin, or where it comes near the shape if that is far away, to its hit or beyond
-/// the shape.
+/// The part of a ray that is drawn: from its origin, or where it comes near the shape if that is far away, to its
+/// hit or beyond the shape.
 struct DrawnRay {
   Vec3d from, to, beyond;
 
@@ -97,7 +97,7 @@ std::string draw_ray(const ExplainedRay& asked, const DrawnRay& ray, const View&
          arrow(view, asked.hit->point, asked.hit->normal) + "</g>\n" + dot_at(view, asked.hit->point, "red");
 }
 
-/// How far a moving pair is drawn: to its hit, or to the end.
+/// The time up to which a moving pair is drawn: its hit, or the end.
 double last_time(const ExplainedCast& cast) { return cast.hit ? cast.hit->t : cast.duration; }
 
 std::string draw_ways(const Explanation& e, const Drawn& drawn, const View& view) {
@@ -128,7 +128,7 @@ std::string draw_points(const Explanation& e, const View& view) {
   return canvas.over() + numbers;
 }
 
-/// The ids of the points by their numbers in the picture, from the bottom up. Returns where the list begins.
+/// Lists the ids of the points by their numbers in the picture, from the bottom up. Returns where the list begins.
 double draw_ids(const Explanation& e, std::string& out) {
   std::vector<const ContactPoint<double>*> points;
   for (const Manifold<double>& m : e.manifolds)
@@ -153,7 +153,7 @@ std::string headline(const Explanation& e) {
   return text(page_margin, 34, 17, e.query + ": " + outcome_text(e)) + text(page_margin, 54, 12, method, "soft");
 }
 
-/// Where on the picture the overlap or gap is.
+/// The place of the overlap or gap.
 std::optional<Vec3d> place_of_contact(const Explanation& e) {
   if (e.distance) return (e.distance->a + e.distance->b) * 0.5;
   if (!e.manifolds.empty()) return e.manifolds[0].points[0].position();
@@ -182,7 +182,7 @@ std::string draw_touched(const View& view, const Polygons& shape, const Vec3d& p
                      view.x(corner), view.y(corner), look);
 }
 
-/// In the plane the vertices and edges that give the points.
+/// The vertices and edges that give the points, in the plane.
 std::string draw_features(const Explanation& e, const Drawn& drawn, const View& view, const Polygons& a,
                           const Polygons& b) {
   std::string sides, corners;

@@ -104,7 +104,8 @@ std::string plain_feature(std::uint32_t half) {
   return fmt::format("{} {}", kinds[feature.kind], feature.number);
 }
 
-/// How many vertices an edge's number tells apart: 127 times that of its first vertex, and that of its second.
+/// The number of vertices that an edge's number can name: it is 127 times that of its first vertex, and that of its
+/// second.
 constexpr std::uint32_t numbered_vertices = 127;
 
 std::string feature_of(const Shaped& shape, std::uint32_t half) {

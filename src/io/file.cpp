@@ -21,12 +21,12 @@ std::string reason(int error) {
 }
 
 [[noreturn]] void cannot_write(const std::filesystem::path& file, int error) {
-  // The folder that is missing is not told for a file to be made.
+  // A file that is to be made lacks its folder, not itself.
   throw InvalidValue(file.string(), "",
                      "cannot be written: " + (error == ENOENT ? std::string("no such folder") : reason(error)));
 }
 
-/// Opens a file to be written anew; `named` is what errors call it.
+/// Opens a file to be written anew; `named`: its name in errors.
 void open(std::ofstream& out, const std::filesystem::path& file, const std::filesystem::path& named) {
   errno = 0;
   out.open(file, std::ios::binary);
@@ -38,14 +38,15 @@ void append(std::ofstream& out, std::string_view bytes, const std::filesystem::p
   if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) cannot_write(named, errno);
 }
 
-/// Writes out what was kept back, which may find no room.
+/// Writes out all that was kept back, which may find no room.
 void close_whole(std::ofstream& out, const std::filesystem::path& named) {
   errno = 0;
   out.close();
   if (!out) cannot_write(named, errno);
 }
 
-/// The file beside a target that can take its place: none for what is no regular file, or stands for an open one.
+/// The file beside a target that can take its place: none for a target that is no regular file, or stands for an open
+/// one.
 std::filesystem::path partial_of(const std::filesystem::path& target) {
   std::error_code failed;
   const std::filesystem::file_status there = std::filesystem::status(target, failed);
@@ -75,7 +76,7 @@ void FileWriter::close() { close_whole(out_, file_); }
 WholeFileWriter::WholeFileWriter(const std::filesystem::path& file)
     : file_(file), target_(link_target(file)), written_(partial_of(target_)) {
   check_writable(file);
-  // A link of that name would take the place of the file, and what it leads to be written over.
+  // A link of that name would take the place of the file, and its target be written over.
   std::error_code failed;
   if (!written_.empty() && std::filesystem::is_symlink(written_)) std::filesystem::remove(written_, failed);
   if (!written_.empty()) out_.open(written_, std::ios::binary);

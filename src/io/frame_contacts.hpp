@@ -1,4 +1,4 @@
-// What bodies that touch did to each other in a step, of space or of the plane.
+// The contacts of bodies in a step, of space or of the plane.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace graze::io {
 
-/// Of two bodies all parts together, in the order in which they first meet. `body_of[i]` is the scene's body of which
-/// the body of index i is a part.
+/// The contacts of each two bodies, all parts together, in the order in which they first meet. `body_of[i]`: the
+/// scene's body of which the body of index i is a part.
 template <class T, class Space>
 std::vector<ContactState> frame_contacts(const ContactArrays<T, Space>& contacts,
                                          const std::vector<std::uint32_t>& body_of) {

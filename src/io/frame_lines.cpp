@@ -7,8 +7,6 @@ namespace graze::io {
 
 namespace {
 
-/// A name in quotes; what is not UTF-8 is replaced.
-
 template <class T>
 void write_number(JsonWriter& out, double value) {
   out.number(static_cast<T>(value));

@@ -6,8 +6,7 @@
 
 namespace graze::io {
 
-/// Whether a file is one of lines: by the end of its name, or what is there and is no regular file, a pipe or a device,
-/// which may have any name.
+/// Whether a file is one of lines: by the end of its name, or by its kind: a pipe or a device, which may have any name.
 bool takes_lines(const std::filesystem::path& file);
 
 /// One line with its end. Numbers are in the shortest form that reads back to the same value in `precision`.

@@ -19,7 +19,7 @@ struct Strided {
   std::size_t stride;
 };
 
-/// Where a range lies; `view_path` and `count_path` are named when it does not fit.
+/// The place of a range; `view_path` and `count_path` are named when it does not fit.
 Strided located(const tinygltf::Model& model, std::size_t view_index, const Range& range, const std::string& view_path,
                 const std::string& count_path) {
   if (view_index >= model.bufferViews.size())
@@ -34,7 +34,7 @@ Strided located(const tinygltf::Model& model, std::size_t view_index, const Rang
     throw InvalidValue(view_path, "a range within the " + std::to_string(data.size()) + " bytes of its buffer",
                        std::to_string(view.byteOffset) + " + " + std::to_string(view.byteLength));
   const std::size_t stride = view.byteStride != 0 ? view.byteStride : range.size;
-  // count elements end at offset + (count - 1) stride + size; by division, since the product may overflow.
+  // `count` elements end at offset + (count - 1) stride + size; by division, since the product may overflow.
   const std::size_t room = view.byteLength;
   const bool fits = range.count == 0 || (range.offset <= room && range.size <= room - range.offset &&
                                          (range.count - 1) <= (room - range.offset - range.size) / stride);
@@ -51,7 +51,7 @@ std::uint32_t whole_at(const unsigned char* at, std::size_t size) {
   return std::memcpy(&full, at, 4), full;
 }
 
-/// How many components an element has, and the name of its type.
+/// The number of components of an element, and the name of its type.
 std::size_t width_of(int type) { return type == TINYGLTF_TYPE_VEC4 ? 4 : type == TINYGLTF_TYPE_VEC3 ? 3 : 1; }
 const char* name_of(int type) {
   return type == TINYGLTF_TYPE_VEC4 ? "\"VEC4\"" : type == TINYGLTF_TYPE_VEC3 ? "\"VEC3\"" : "\"SCALAR\"";
@@ -170,7 +170,7 @@ bool Elements::fractional() const {
          component_ <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
 }
 
-/// glTF 2.0, section 3.6.2.2: integers over their greatest; the least of the signed ones counts as -1.
+/// A component by glTF 2.0, section 3.6.2.2: integers over their greatest; the least of the signed ones counts as -1.
 float Elements::number(std::size_t i, std::size_t k) const {
   const unsigned char* element = begin_ + i * stride_;
   switch (component_) {

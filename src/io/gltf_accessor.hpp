@@ -1,4 +1,4 @@
-// The elements of a glTF accessor: a range of a buffer view, or zeros, and what a sparse accessor puts in their place.
+// The elements of a glTF accessor: a range of a buffer view, or zeros, some replaced by a sparse accessor.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ class Model;
 
 namespace graze::io {
 
-/// How many elements may be read from a file's sparse accessors without a buffer view, all together and as often as
-/// they are read. They are zeros that no byte of the file pays for: without a limit a kilobyte would become gigabytes,
-/// in one accessor or in many meshes of one. A million takes some 200 MB to load, and more than any mesh can mean: all
-/// of its points but those that are replaced lie in the origin.
+/// The most elements that may be read from a file's sparse accessors without a buffer view, all together and as often
+/// as they are read. Such elements are zeros for which the file has no bytes: without a limit a kilobyte would become
+/// gigabytes, in one accessor or in many meshes of one. A million takes some 200 MB to load, and is more than any mesh
+/// can need: all of its points but those that are replaced lie in the origin.
 inline constexpr std::size_t max_zero_elements = std::size_t{1} << 20;
 
-/// What accessors are read from.
+/// The file from which accessors are read.
 struct AccessorSource {
   const tinygltf::Model& model;
   const Json& json;         ///< of the same file: says what is absent, and holds numbers that `model` narrows to an int

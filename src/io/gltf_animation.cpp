@@ -10,7 +10,7 @@ namespace {
 
 using Numbers = std::shared_ptr<const std::vector<float>>;
 
-/// What an accessor is read as.
+/// The kinds of numbers that an accessor is read as.
 enum class Meaning : std::uint8_t { times, vectors, rotations, spline_rotations };
 
 std::size_t width_of(Meaning meaning) { return meaning == Meaning::times ? 1 : meaning == Meaning::vectors ? 3 : 4; }
@@ -19,7 +19,7 @@ std::string place(const JsonValue& index, std::size_t i) {
   return "accessors[" + index.json().dump() + "][" + std::to_string(i) + "]";
 }
 
-/// glTF 2.0, section 3.11: the first time is not negative, and each is later than the one before.
+/// Checks times by glTF 2.0, section 3.11: the first is not negative, and each is later than the one before.
 void check_times(const std::vector<float>& times, const JsonValue& index) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto time = static_cast<double>(times[i]);
@@ -30,7 +30,7 @@ void check_times(const std::vector<float>& times, const JsonValue& index) {
   }
 }
 
-/// Of a spline only the keys are rotations; its tangents may be anything.
+/// Checks rotations. Only the keys of a spline are rotations; its tangents may be anything.
 void check_rotations(const std::vector<float>& values, const JsonValue& index, bool spline) {
   for (std::size_t i = spline ? 1 : 0; 4 * i + 3 < values.size(); i += spline ? 3 : 1) {
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(4 * i);
@@ -121,7 +121,7 @@ class AnimationReader {
     return keys;
   }
 
-  /// Read and checked once however many samplers share them.
+  /// The numbers of an accessor, read and checked once however many samplers share them.
   Numbers numbers(const JsonValue& index, Meaning meaning) {
     Numbers& known = read_[{index.whole_number(), meaning}];
     if (!known) known = read_numbers(index, meaning);

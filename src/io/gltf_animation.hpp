@@ -1,8 +1,8 @@
 // The animations of a glTF file: channels of keyframes, and the nodes that they move.
 //
-// Guarantee: what is read can be played at any time: every keyframe list is as `Keyframes` demands, every channel has a
-// node that may be moved, and no two move the same property of one. What is held takes no more than some 300 MB,
-// whatever the file claims, besides what the file itself holds.
+// Guarantee: animations that were read can be played at any time: every keyframe list satisfies `Keyframes`, every
+// channel has a node that may be moved, and no two move the same property of one. They take no more than some 300 MB,
+// whatever the file claims, besides the bytes of the file itself.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@
 
 namespace graze::io {
 
-/// How many numbers the keyframes of a file may have, all accessors together: ten minutes of a hundred joints at 60
-/// frames a second are 15 million numbers. Accessors may overlap, so that without a limit a megabyte of file would
-/// become gigabytes.
+/// The most numbers that the keyframes of a file may have, all accessors together: ten minutes of a hundred
+/// joints at 60 frames a second are 15 million numbers. Accessors may overlap, so that without a limit a megabyte
+/// of file would become gigabytes.
 inline constexpr std::size_t max_key_numbers = std::size_t{1} << 26;
 
 enum class NodeProperty : std::uint8_t { translation, rotation, scale };
@@ -55,7 +55,7 @@ struct AnimationTracks {
   std::vector<Channel> channels;
 };
 
-/// All animations of a file. What is left out is said in `notices`. Throws `InvalidValue`.
+/// All animations of a file. `notices` gets a sentence for whatever is left out. Throws `InvalidValue`.
 std::vector<Animation> read_animations(const GltfDocument& document, std::shared_ptr<const NodeTree> tree,
                                        std::vector<std::string>& notices);
 

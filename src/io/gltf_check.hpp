@@ -1,7 +1,7 @@
 // The parts of a glTF file that tinygltf reads, checked before it does.
 //
 // Guarantee: lists are lists of objects, and buffers, views, accessors and primitives have the keys that they need, of
-// the right kind and in range. tinygltf refuses some of what is not so without naming the place, and takes the rest for
+// the right kind and in range. tinygltf refuses some faults without naming the place, and takes other values for
 // absent.
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace graze::io {
 
-/// `chunk`: the file is a .glb with bytes of its own. Throws `InvalidValue`.
+/// Checks a file. `chunk`: it is a .glb with bytes of its own. Throws `InvalidValue`.
 void check_gltf(const Json& json, bool chunk);
 
-/// Why no buffer could be read, where tinygltf only says that: `missing` is the file that was not found, or empty.
-/// Throws `InvalidValue` for the buffer at fault; returns when none is.
+/// Finds the buffer that could not be read, which tinygltf does not name: `missing` is the file that was not found, or
+/// empty. Throws `InvalidValue` for the buffer at fault; returns when none is.
 void check_gltf_buffers(const Json& json, const std::string& missing);
 
 }  // namespace graze::io

@@ -13,7 +13,7 @@ namespace graze::io {
 
 namespace {
 
-/// No scene or buffer file is larger; what says that it is is not read.
+/// The largest size of a scene or buffer file that is read.
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 31;
 
 std::uint32_t word(const std::string& bytes, std::size_t at) {
@@ -37,8 +37,8 @@ std::string_view json_text(const std::string& bytes) {
   return std::string_view(bytes).substr(20, length);
 }
 
-/// Where there are sparse accessors without a buffer view, the file with some view for each: tinygltf refuses triangles
-/// that name such an accessor, which glTF allows. Any view will do, as that of a sparse accessor is read from the JSON.
+/// The file with some view for each sparse accessor without one, if there are such: tinygltf refuses triangles that
+/// name such an accessor, which glTF allows. Any view will do, as that of a sparse accessor is read from the JSON.
 std::optional<std::string> with_stand_in_views(const std::string& bytes, std::string_view text, const Json& json) {
   const auto lacks_view = [](const Json& accessor) {
     return accessor.is_object() && accessor.contains("sparse") && !accessor.contains("bufferView");
@@ -67,10 +67,10 @@ bool no_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const
   return true;  // pictures are for renderers
 }
 
-/// Buffers may be read from below the scene's folder only.
+/// The files of buffers, which may be read from below the scene's folder only.
 struct Files {
   std::filesystem::path folder;
-  std::string missing{};  ///< what was asked for and is not there
+  std::string missing{};  ///< file that is not there
 
   bool allowed(const std::string& name) const {
     if (folder.empty()) return false;

@@ -7,7 +7,7 @@ namespace graze::io {
 
 namespace {
 
-/// How colliders look: alone in the file, or over and beside what the file shows by itself.
+/// The looks of colliders: alone in the file, or over and beside the meshes that the file shows by itself.
 struct ColliderLooks {
   Look still, moving, touching;
 };
@@ -45,7 +45,7 @@ const Look& look_of(DrawMeaning meaning, DrawLayer layer, bool kept) {
   return other_look;
 }
 
-/// What a point is drawn as.
+/// The solid that stands for a point.
 Polygons octahedron(double r) {
   const Shaped shape =
       ConvexHull<double>(std::vector<Vec3d>{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}});
@@ -70,7 +70,7 @@ Polygons arrow_up(double length) {
   return whole;
 }
 
-/// The turn that takes +Y to a unit vector: half of it, added and normalised.
+/// The turn that takes +Y to a unit vector: the quaternion of half of it, as the normalised sum of both.
 Quatd turn_to(const Vec3d& direction) {
   if (direction.y < -0.999999) return {1, 0, 0, 0};
   return normalized(Quatd{direction.z, 0, -direction.x, 1 + direction.y});
@@ -116,7 +116,7 @@ std::optional<std::size_t> ModelWriter::mesh(const std::string& name, const Poly
   return model_.add("meshes", {{"name", name}, {"primitives", Json::array({primitive})}});
 }
 
-/// Made when first used: a file gets no materials that nothing has.
+/// The material of a look, made when first used: a file gets no materials that nothing has.
 std::size_t ModelWriter::material(const Look& look) {
   const auto found = materials_.find(look.name);
   if (found != materials_.end()) return found->second;
@@ -152,7 +152,7 @@ const Look& collider_look(bool kept, bool fixed) {
   return fixed ? looks.still : looks.moving;
 }
 
-/// One mesh for all that look alike; none in a scene without extent, where nothing would be seen.
+/// Places one mesh for all shapes that look alike; none in a scene without extent, where nothing would be seen.
 void GltfDraw::place(const Polygons& shape, const Look& look, const Posed& pose) {
   const auto [at, made] = meshes_.try_emplace(look.name);
   if (made) at->second = writer_.mesh(look.name, shape, look);
@@ -167,7 +167,7 @@ void GltfDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer,
   place(arrow_up(area().size / 12), look_of(meaning, layer, kept_), {from, turn_to(direction)});
 }
 
-/// A thin rod.
+/// Draws a line as a thin rod.
 void GltfDraw::line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) {
   const double way = length(to - from), thickness = area().size / 400;
   if (!(way > 0)) return;
@@ -202,7 +202,7 @@ bool is_gltf(const std::filesystem::path& file) {
   return ending == ".glb" || ending == ".gltf";
 }
 
-/// What shows a mesh of its own is drawn over only where there is something to say.
+/// Draws colliders. One that shows a mesh of its own is drawn over only where it is tinted.
 void draw_colliders(GltfDraw& canvas, const GltfModel& model, const Scene& scene,
                     const std::set<std::uint32_t>& touching, bool kept) {
   const double lifted = kept ? canvas.area().size / 1000 : 0;

@@ -1,6 +1,6 @@
 // Drawing into a glTF model: polygons as meshes with looks, and debug draw by these.
 //
-// Guarantee: what is added is valid glTF 2.0; nothing that was in the model changes.
+// Guarantee: all additions are valid glTF 2.0; nothing that was in the model changes.
 #pragma once
 
 #include <map>
@@ -25,11 +25,11 @@ class ModelWriter {
  public:
   explicit ModelWriter(GltfModel& model) : model_(model) {}
 
-  /// One node with one mesh.
+  /// Adds one node with one mesh.
   void add(const std::string& name, const Polygons& shape, const Look& look);
-  /// One more node with a mesh that is there.
+  /// Adds one more node with a mesh that is there.
   void place(const std::string& name, std::size_t mesh, const Posed& pose);
-  /// A node with nothing but a name and a place.
+  /// Adds a node with nothing but a name and a place.
   void mark(const std::string& name, const Vec3d& at);
   /// Polygons as triangles with corners of their own, so that faces look flat; no mesh when there are none.
   std::optional<std::size_t> mesh(const std::string& name, const Polygons& shape, const Look& look);
@@ -42,7 +42,7 @@ class ModelWriter {
   std::map<std::string, std::size_t> materials_;
 };
 
-/// How a collider looks that touches nothing: alone in its file, or (`kept`) beside what the file shows by itself.
+/// The look of a collider that touches nothing: alone in its file, or (`kept`) beside the meshes that the file shows.
 const Look& collider_look(bool kept, bool fixed);
 
 /// Debug draw into a model: shapes as meshes, points as small octahedra, arrows and lines as thin solids, each a node of
@@ -52,7 +52,7 @@ class GltfDraw final : public DebugDraw {
   /// Looks are those of a model that was a file (`kept`), or of one that has nothing but what is drawn.
   GltfDraw(ModelWriter& writer, const DrawArea& area, bool kept) : DebugDraw(area), writer_(writer), kept_(kept) {}
 
-  /// What the nodes of shapes are called from now on.
+  /// Sets the name of the nodes of shapes that follow.
   void name(const std::string& name) { name_ = name; }
 
   bool wants(DrawLayer) const override { return true; }
@@ -72,13 +72,13 @@ class GltfDraw final : public DebugDraw {
   std::map<std::string, std::optional<std::size_t>> meshes_;  ///< of dots and arrows, by their looks
 };
 
-/// The bounds of all that is bounded; a box of size 2 when nothing is.
+/// The bounds of all bounded shapes; a box of size 2 when there are none.
 Aabbd extent(const Scene& scene);
 /// Whether a file's name ends as those of the format do.
 bool is_gltf(const std::filesystem::path& file);
 
-/// Draws the colliders of a scene, those of `touching` tinted. In a model that was a file (`kept`) only what shows no
-/// mesh of its own, and over what is tinted.
+/// Draws the colliders of a scene, those of `touching` tinted. In a model that was a file (`kept`) only colliders that
+/// show no mesh of their own, and over their meshes those that are tinted.
 void draw_colliders(GltfDraw& canvas, const GltfModel& model, const Scene& scene,
                     const std::set<std::uint32_t>& touching, bool kept);
 

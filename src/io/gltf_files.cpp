@@ -20,7 +20,7 @@ std::vector<std::filesystem::path> buffer_files(const std::filesystem::path& sce
         files.push_back(*file);
     }
   } catch (const InvalidValue&) {
-    // What cannot be opened names nothing.
+    // A file that cannot be opened names none.
   }
   return files;
 }

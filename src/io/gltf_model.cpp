@@ -104,7 +104,7 @@ Json& list_at(Json& object, const char* key) {
   return list;
 }
 
-/// The nodes that are nobody's child.
+/// The nodes that are no node's child.
 Json root_nodes(const Json& nodes) {
   std::vector<char> child(nodes.size(), 0);
   for (const Json& node : nodes)
@@ -139,7 +139,7 @@ std::optional<std::filesystem::path> file_below(const std::filesystem::path& fol
 GltfModel::GltfModel() : json_{{"asset", {{"version", "2.0"}, {"generator", "graze"}}}} { shown_scene(); }
 
 GltfModel::GltfModel(const std::filesystem::path& file) {
-  open_file(file);  // names what is not there
+  open_file(file);  // throws with its name if it is not there
   const auto bytes = read_bytes(file);
   if (!bytes) throw InvalidValue(file.string(), "", "not a regular file");
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
@@ -147,7 +147,7 @@ GltfModel::GltfModel(const std::filesystem::path& file) {
     json_ = GltfDocument(std::string(bytes->begin(), bytes->end()), folder).json();
     embed_buffers(folder, chunk_of(*bytes));
     embed_images(folder);
-    // What is added later goes here: a fault of the file is named now, with the file.
+    // Lists that are added to later are made now: a fault of the file is named with the file.
     for (const char* list : added_lists) list_at(json_, list);
     list_at(shown_scene(), "nodes");
   } catch (const Json::exception& e) {
@@ -157,7 +157,8 @@ GltfModel::GltfModel(const std::filesystem::path& file) {
   }
 }
 
-/// The first buffer becomes the bytes of the .glb, which keeps everybody's indices; others stay or become text.
+/// Moves the buffers into the file. The first becomes the bytes of the .glb, which keeps all indices; others stay or
+/// become text.
 void GltfModel::embed_buffers(const std::filesystem::path& folder, std::span<const unsigned char> chunk) {
   Json& buffers = list_at(json_, "buffers");
   for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -187,7 +188,7 @@ void GltfModel::embed_buffers(const std::filesystem::path& folder, std::span<con
   }
 }
 
-/// Pictures in files of their own move into the .glb; nothing is decoded.
+/// Moves pictures in files of their own into the .glb; nothing is decoded.
 void GltfModel::embed_images(const std::filesystem::path& folder) {
   if (!json_.contains("images")) return;
   for (Json& image : list_at(json_, "images")) {
@@ -231,7 +232,8 @@ std::size_t GltfModel::add_view(std::span<const unsigned char> bytes, int target
   return add("bufferViews", std::move(view));
 }
 
-/// A file without scenes shows every node, as our loader sees it; one that gets a scene must list them.
+/// The scene that is shown. A file without scenes shows every node, as the loader reads it; one that gets a scene must
+/// list them.
 Json& GltfModel::shown_scene() {
   Json& scenes = list_at(json_, "scenes");
   if (scenes.empty()) {
@@ -266,7 +268,7 @@ void GltfModel::move_node(std::size_t index, std::optional<std::size_t> parent) 
   list_at(parent ? node(*parent) : shown_scene(), parent ? "children" : "nodes").push_back(index);
 }
 
-/// The format has no empty lists.
+/// The JSON without empty lists, which the format does not have.
 Json GltfModel::without_empty_lists() const {
   Json json = json_;
   for (const char* list : added_lists)

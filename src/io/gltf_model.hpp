@@ -1,8 +1,8 @@
-// A glTF file in memory that things are added to, and that is written as one file.
+// A glTF file in memory to which things are added, and which is written as one file.
 //
-// Guarantee: what the file held stays as it was, known to us or not: every element at its index, every extension, every
-// picture byte for byte. That is why it is kept as the JSON that it is and not as some library's model of it, which
-// would drop what the library does not know.
+// Guarantee: all that the file held stays as it was, known to this library or not: every element at its index, every
+// extension, every picture byte for byte. Therefore it is kept as the JSON that it is and not as some library's model
+// of it, which would drop unknown parts.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +15,15 @@
 
 namespace graze::io {
 
-/// The file that a scene in `folder` names: one below that folder, so that a scene cannot make us read any other; none
-/// for data in the address itself.
+/// The file that a scene in `folder` names: one below that folder, so that a scene cannot have any other read; none for
+/// data in the address itself.
 std::optional<std::filesystem::path> file_below(const std::filesystem::path& folder, const std::string& uri);
 
 class GltfModel {
  public:
-  /// Nothing but an empty scene.
+  /// Makes an empty scene.
   GltfModel();
-  /// A .gltf or .glb file, with what it refers to below its own folder. Throws `InvalidValue`.
+  /// Opens a .gltf or .glb file, with all files that it refers to below its own folder. Throws `InvalidValue`.
   explicit GltfModel(const std::filesystem::path& file);
 
   /// The file as it is now.
@@ -45,10 +45,10 @@ class GltfModel {
 
   /// The text of one file with everything in it.
   std::string text() const;
-  /// The same as a file: text when its name ends in .gltf, else binary.
+  /// Writes that to a file: text when its name ends in .gltf, else binary.
   void save(const std::filesystem::path& file) const;
 
-  /// What could not be taken along, one sentence each.
+  /// The parts of the file that could not be taken along, one sentence each.
   const std::vector<std::string>& notices() const { return notices_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace graze::io {
 
-/// Scale first, then rotation, then translation.
+/// A transform that scales first, then rotates, then translates.
 struct NodeTransform {
   Vec3d translation{};
   Quatd rotation{};
@@ -29,7 +29,7 @@ inline Quatd read_quaternion(const JsonValue& json) {
   return normalized(q);
 }
 
-/// Of a node without a matrix. Throws `InvalidValue`, as the next does.
+/// The transform of a node without a matrix. Throws `InvalidValue`, as does `node_map`.
 inline NodeTransform node_transform(const JsonValue& node) {
   const auto rotation = node.find("rotation");
   return {vector_or(node, "translation", {}), rotation ? read_quaternion(*rotation) : Quatd{},

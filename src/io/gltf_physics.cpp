@@ -14,7 +14,7 @@ void read_positive_if_there(const JsonValue& json, const char* key, double& valu
   if (const auto v = json.find(key)) value = v->length<double>();
 }
 
-/// The extension's way to write infinity, which JSON has no word for (section "Motions").
+/// Infinity for zero: JSON has no word for it, and the extension writes it so (section "Motions").
 double infinite_if_zero(double value) { return value > 0 ? value : std::numeric_limits<double>::infinity(); }
 
 Combine read_combine(const JsonValue& json) {
@@ -26,8 +26,8 @@ Combine read_combine(const JsonValue& json) {
   json.fail("one of average, minimum, maximum, multiply");
 }
 
-/// No mass distribution has a moment above the sum of the two others: each is the sum of two of three non-negative
-/// integrals. What files hold is rounded.
+/// Reads moments of inertia. No mass distribution has a moment above the sum of the two others: each is the sum of two
+/// of three non-negative integrals. The numbers of files are rounded.
 Vec3d read_inertia(const JsonValue& json) {
   Vec3d moments = json.lengths<double>();
   for (std::size_t i = 0; i < 3; ++i) moments[i] = infinite_if_zero(moments[i]);
@@ -62,7 +62,7 @@ JointLimit read_limit(const JsonValue& json) {
   read_if_there(json, "min", limit.min);
   read_if_there(json, "max", limit.max);
   if (limit.min > limit.max) json.at("min").fail("at most the limit's max, " + validate::number(limit.max));
-  // With several axes what is limited is a distance, or an angle without a sign, which is never below zero.
+  // A limit with several axes is one of a distance, or of an angle without a sign, which is never below zero.
   const bool several = limit.axes[0] + limit.axes[1] + limit.axes[2] > 1;
   if (several && limit.max < 0) json.at("max").fail("at least 0 of a limit with several axes");
   if (const auto v = json.find("stiffness")) limit.stiffness = v->length<double>();
@@ -78,7 +78,7 @@ JointDrive read_drive(const JsonValue& json) {
   drive.angular = type.string() == "angular";
   drive.acceleration = mode.string() == "acceleration";
   drive.axis = static_cast<std::uint8_t>(json.at("axis").index_below(3));
-  // Writers say "without limit" by the largest float.
+  // Writers give "without limit" as the largest float.
   if (const auto v = json.find("maxForce")) drive.max_force = v->positive_or_zero<double>();
   read_if_there(json, "positionTarget", drive.position_target);
   read_if_there(json, "velocityTarget", drive.velocity_target);

@@ -1,9 +1,9 @@
 // KHR_physics_rigid_bodies: materials, motions and joints as a solver needs them.
 //
-// Guarantee: what is read is finite and in range: masses and moments of inertia above zero, or infinite where the file
-// says zero; moments that some body can have; frictions, restitutions, stiffnesses and dampings of at least zero;
-// limits of one to three different axes whose least is not above the greatest. All else raises `InvalidValue` with the
-// place in the file, what was expected and what was found. What a file leaves out is not made up.
+// Guarantee: all numbers are finite and in range: masses and moments of inertia above zero, or infinite where the file
+// has zero; moments that some body can have; frictions, restitutions, stiffnesses and dampings of at least zero; limits
+// of one to three different axes whose least is not above the greatest. All else raises `InvalidValue` with the place
+// in the file, the expected and the found value. Values that a file leaves out are not made up.
 #pragma once
 
 #include "graze/io/scene.hpp"

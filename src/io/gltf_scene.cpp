@@ -1,4 +1,4 @@
-// From a glTF file to bodies and colliders: nodes, KHR_implicit_shapes and KHR_physics_rigid_bodies.
+// The reading of a glTF file as bodies and colliders: nodes, KHR_implicit_shapes and KHR_physics_rigid_bodies.
 #include <algorithm>
 #include <map>
 
@@ -75,7 +75,7 @@ class SceneReader {
     int fixed = -1;             ///< without one, of the nearest ancestor with a collider, or -1
     std::ptrdiff_t above = -1;  ///< the parent's node, or -1
   };
-  /// Where a node stands, and the body that a joint on it holds; none is the world.
+  /// The place of a node, and the body that a joint on it holds; without one it holds the world.
   struct NodePlace {
     Affine map;
     std::optional<std::uint32_t> body;
@@ -106,8 +106,8 @@ class SceneReader {
 
   static constexpr std::uint64_t unnamed = std::uint64_t{1} << 63;
 
-  /// A filter's systems as bits. Whoever names none belongs to the unnamed system; a list of what to collide with
-  /// leaves everything else out, a list of what not to leaves everything else in.
+  /// A filter's systems as bits. A collider without a name belongs to the unnamed system; a list of systems to collide
+  /// with leaves everything else out, a list of systems not to collide with leaves everything else in.
   Filter read_filter(const JsonValue& json) {
     Filter filter;
     const std::uint64_t own = systems(json, "collisionSystems");
@@ -146,7 +146,7 @@ class SceneReader {
     }
   }
 
-  /// A node's map, which its animations will want as well.
+  /// Keeps a node's map, which its animations need as well.
   const Affine& keep_node(const Visit& visit, const JsonValue& json) {
     TreeNode& node = tree_.nodes[visit.node];
     node.parent = visit.above;
@@ -156,7 +156,7 @@ class SceneReader {
     return node.map;
   }
 
-  /// Those of the scene to show; in a file without scenes, the nodes that are nobody's child.
+  /// The roots of the scene to show; in a file without scenes, the nodes that are no node's child.
   std::vector<std::size_t> root_nodes() {
     std::vector<std::size_t> roots;
     const auto scenes = list(root_, "scenes");
@@ -208,7 +208,7 @@ class SceneReader {
     return static_cast<int>(scene_.bodies.size()) - 1;
   }
 
-  /// Once all nodes are in their places, as the other end may be anywhere in the tree.
+  /// Reads a joint once all nodes are in their places, as the other end may be anywhere in the tree.
   void read_joint(const JointNode& at) {
     const JsonValue other = at.json.at("connectedNode");
     const std::size_t connected = other.index_below(nodes_.size());
@@ -271,7 +271,7 @@ class SceneReader {
             {}};
   }
 
-  /// Transforms multiply from node to node, and so may grow out of bounds.
+  /// A shape under a node's map. Transforms multiply from node to node, and so may grow out of bounds.
   MappedShape mapped_at(std::size_t node, const Shaped& shape, const Affine& map) const {
     const std::string path = nodes_[node].path() + " (in the world)";
     validate::point(map.translation, path + ".translation");

@@ -73,7 +73,7 @@ class Scan {
 }  // namespace
 
 Json parse_json(std::string_view text) {
-  // The parser would take it for the end of the text, whatever follows.
+  // The parser would take a zero byte for the end of the text, whatever follows.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     throw InvalidValue("", "one JSON object", "a zero byte behind " + std::to_string(zero) + " others");
   const Scan scan(text);
@@ -103,7 +103,7 @@ std::string member_text(std::string_view text, std::string_view key) {
     found.erase(found.find_last_not_of(" \t\r\n") + 1);
   }
   for (char& c : found)
-    if (c == '\n' || c == '\r') c = ' ';  // these stand between values only: an answer is one line
+    if (c == '\n' || c == '\r') c = ' ';  // between values only, and an answer is one line
   return found;
 }
 
@@ -116,7 +116,7 @@ std::string shown(const Json& value) {
     const auto& text = value.get_ref<const std::string&>();
     if (text.starts_with(overflow_mark)) return text.substr(overflow_mark.size(), longest_shown);
   }
-  // Counted before it is written: a large value is named by its kind, not printed to be cut.
+  // The size is counted before the text is made: a large value is named by its kind, not printed to be cut.
   if (value.is_structured() && value.size() > longest_shown / 2)
     return std::string(value.is_array() ? "an array of " : "an object of ") + std::to_string(value.size());
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);

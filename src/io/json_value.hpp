@@ -1,4 +1,4 @@
-// JSON values that know their path, so that every complaint names the place.
+// JSON values with their paths, so that every error names the place.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace graze::io {
 
 using Json = nlohmann::json;
 
-/// Parses one JSON text. Throws `InvalidValue` (without a path) for what is not one, or is nested deeper than
+/// Parses one JSON text. Throws `InvalidValue` (without a path) for a text that is none, or is nested deeper than
 /// `max_json_depth`. A number too large for a double becomes a marked string, so that it can be named where it stands.
 Json parse_json(std::string_view text);
 
@@ -29,7 +29,7 @@ std::string member_text(std::string_view text, std::string_view key);
 /// Bounds recursion over a parsed value to a fraction of the usual eight megabytes of stack.
 inline constexpr int max_json_depth = 2000;
 
-/// Words as a text of JSON, in quotes; what is no UTF-8 is replaced.
+/// Words as a text of JSON, in quotes; bytes that are no UTF-8 are replaced.
 std::string json_quoted(const std::string& words);
 
 /// A value as it appears in an error: compact, and shortened when long.
@@ -73,14 +73,14 @@ class JsonValue {
     if (!std::isfinite(value)) fail("a finite number");
     return value;
   }
-  /// One that is >= 0 as well.
+  /// A number that is finite in T and >= 0.
   template <class T>
   T positive_or_zero() const {
     const T value = json_->is_number() ? static_cast<T>(json_->get<double>()) : T(-1);
     if (!(value >= T(0) && std::isfinite(value))) fail("a finite number >= 0");
     return value;
   }
-  /// Lengths and coordinates are no larger than `largest_magnitude`.
+  /// A length, no larger than `largest_magnitude`, as all coordinates are.
   template <class T>
   T length() const {
     const T value = positive_or_zero<T>();

@@ -1,4 +1,4 @@
-// Answers as text: numbers in the shortest form that reads back to the same value, in the precision that was asked for.
+// Answers as text: numbers in the shortest form that reads back to the same value, in the precision of the answer.
 #pragma once
 
 #include <charconv>
@@ -40,7 +40,7 @@ class JsonWriter {
     return *this;
   }
   JsonWriter& value(bool b) { return raw(b ? "true" : "false"); }
-  /// Never "-0"; an infinity, which JSON has no word for, becomes null.
+  /// Writes a number, never as "-0"; an infinity, for which JSON has no word, becomes null.
   template <class T>
   JsonWriter& number(T v) {
     if (!std::isfinite(v)) return raw("null");

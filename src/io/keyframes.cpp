@@ -10,7 +10,7 @@ namespace {
 
 using Values = std::array<double, 4>;
 
-/// Where a time lies: behind key `first`, by `part` of the `seconds` to the next. The part is 0 at a key, and where
+/// The place of a time: behind key `first`, by `part` of the `seconds` to the next. The part is 0 at a key, and where
 /// there is no next one.
 struct KeyPlace {
   std::size_t first = 0;
@@ -34,7 +34,7 @@ Values value_at(const std::vector<float>& values, std::size_t width, std::size_t
   return out;
 }
 
-/// Where the key stands among the values.
+/// The place of a key among the values.
 std::size_t key_index(Interpolation interpolation, std::size_t key) {
   return interpolation == Interpolation::cubic_spline ? 3 * key + 1 : key;
 }
@@ -59,9 +59,9 @@ Quatd sum(const Quatd& a, double s, const Quatd& b, double t) {
   return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z, s * a.w + t * b.w};
 }
 
-/// Along the shorter arc at constant speed (Shoemake 1985, "Animating rotation with quaternion curves"; glTF 2.0,
-/// appendix C.4). The angle from the chord and its complement: an arc cosine would lose half of the digits of a small
-/// one.
+/// The rotation along the shorter arc at constant speed (Shoemake 1985, "Animating rotation with quaternion
+/// curves"; glTF 2.0, appendix C.4). The angle comes from the chord and its complement: an arc cosine would lose
+/// half of the digits of a small one.
 Quatd slerp(const Quatd& a, Quatd b, double t) {
   const double cosine = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
   if (cosine < 0) b = {-b.x, -b.y, -b.z, -b.w};

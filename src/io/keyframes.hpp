@@ -1,4 +1,4 @@
-// Keyframes: a value that changes over time, as a sampler of glTF 2.0 gives it.
+// Keyframes: a value that changes over time, as defined for a sampler of glTF 2.0.
 //
 // Guarantee: a value for every time, never NaN: before the first keyframe that of the first, behind the last that of
 // the last. Rotations come out of unit length.
@@ -15,8 +15,8 @@ namespace graze::io {
 
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
-/// Whoever makes one sees to it that the times rise, from 0 or later, that there is at least one (of a spline: two),
-/// and as many values as they ask for; all finite, and no rotation of zero length.
+/// Keyframes are made with times that rise, from 0 or later, at least one (for a spline two), and with as many values
+/// as these require; all finite, and no rotation of zero length.
 struct Keyframes {
   Interpolation interpolation = Interpolation::linear;
   std::shared_ptr<const std::vector<float>> times;  ///< seconds; shared, since one list often serves many
@@ -25,10 +25,10 @@ struct Keyframes {
   std::shared_ptr<const std::vector<float>> values;
 
   double duration() const { return static_cast<double>(times->back()); }
-  /// Of three numbers a value.
+  /// The value at a time, of three numbers.
   Vec3d vector(double t) const;
-  /// Of four. Between two keys a turn takes the shorter way; a spline is turned to unit length, and where it passes
-  /// through zero it is the nearer key.
+  /// The value at a time, of four numbers. Between two keys a turn takes the shorter way; a spline is brought to unit
+  /// length, and where it passes through zero it is the nearer key.
   Quatd rotation(double t) const;
 };
 

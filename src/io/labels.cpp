@@ -12,7 +12,7 @@ namespace graze::io {
 namespace {
 
 constexpr double font = 11, tall = 11;
-/// Of digits and small letters, a little more than they are.
+/// The width of digits and small letters, a little more than they have.
 constexpr double letter = 0.62 * font;
 /// Rings around the point that are tried, and directions on each, from above on clockwise.
 constexpr double first_ring = 11, ring_step = 9;

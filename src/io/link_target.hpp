@@ -1,4 +1,4 @@
-// The targets of links, for who gives a file's name to another: the link stays, and its target is replaced.
+// The targets of links: where a file's name is given to another file, the link stays, and its target is replaced.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace graze::io {
 
-/// Names below /dev and /proc stand for files that are open already, whose place nothing else may take.
+/// Whether a name stands for a file that is open already, as below /dev and /proc: nothing else may take its place.
 inline bool stands_for_open_file(const std::filesystem::path& file) {
   std::error_code failed;
   const std::string name = std::filesystem::absolute(file, failed).lexically_normal().string();

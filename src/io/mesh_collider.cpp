@@ -25,7 +25,7 @@ Shaped bounding_box(const std::vector<Vec3d>& points) {
   for (const Vec3d& p : points) box = merged(box, p);
   Shaped shape = Box<double>(box.extent());
   if (box.center() == Vec3d{}) return shape;
-  // A box stands about its own origin; one that does not becomes a compound of one.
+  // A box stands about its own origin; one beside it becomes a compound of one.
   return Compound<double>({Placed<double>{shape, {box.center(), {}}}});
 }
 

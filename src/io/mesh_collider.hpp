@@ -1,4 +1,4 @@
-// What becomes of triangles that collide: themselves, their hull, a box or a ball.
+// The shapes of triangles that collide: themselves, their hull, a box or a ball.
 #pragma once
 
 #include "graze/io/scene.hpp"
@@ -6,8 +6,8 @@
 
 namespace graze::io {
 
-/// Equal points are made one first. The box is tight along the mesh's own axes; the ball is Ritter's (1990, "An
-/// efficient bounding sphere"), 5 to 20 % larger than the smallest.
+/// The collider of a mesh, whose equal points are made one first. The box is tight along the mesh's own axes; the ball
+/// is Ritter's (1990, "An efficient bounding sphere"), 5 to 20 % larger than the smallest.
 Shaped mesh_collider(const TriangleSoup& soup, MeshColliders kind);
 
 }  // namespace graze::io

@@ -1,6 +1,6 @@
 // OBJ, STL and PLY files, as triangles.
 //
-// Each is read here and not by assimp 5.2, which believes counts (a PLY file of 120 bytes took 11 GB), names no line,
+// Each is read here and not by assimp 5.2, which trusts counts (a PLY file of 120 bytes took 11 GB), names no line,
 // holds numbers in single precision and loses 1.3 kB with every OBJ or STL file that it refuses.
 #pragma once
 

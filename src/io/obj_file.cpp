@@ -13,7 +13,7 @@ namespace graze::io {
 
 namespace {
 
-/// A polygon is cut in time that grows with the square of its corners: 1024 take some milliseconds.
+/// The most corners of a polygon. Cutting it takes time that grows with their square: 1024 take some milliseconds.
 constexpr std::size_t most_face_corners = 1024;
 
 /// The numbers of a line behind its first word, at least `least` and at most `most` of them; nothing for another line.
@@ -28,7 +28,7 @@ std::optional<std::vector<double>> numbers_of(const Words& words, std::size_t le
   return values;
 }
 
-/// One of a file's lists that faces point into, counted from 1, or backwards from the face by negative numbers.
+/// One of a file's lists into which faces point, counted from 1, or backwards from the face by negative numbers.
 struct ObjList {
   const char* name;
   std::size_t count = 0, most = 0, line = 0;  ///< most: the largest index that was named, and where
@@ -48,7 +48,7 @@ struct ObjList {
     }
     return static_cast<std::uint32_t>(index - 1);
   }
-  /// A face may stand before its points.
+  /// Checks the indices at the end, as a face may stand before its points.
   void finish() const {
     if (most > count)
       throw InvalidValue("line " + std::to_string(line),
@@ -77,7 +77,7 @@ class ObjReader {
  private:
   void read_point(const Words& words) {
     const auto values = numbers_of(words, 3, 6);
-    // What other programs hold in single precision has to be a number there.
+    // A coordinate has to be a number in single precision too, which other programs use.
     const auto finite = [](double v) { return std::isfinite(static_cast<float>(v)); };
     if (!values || values->size() == 5 || !std::all_of(values->begin(), values->end(), finite))
       lines_.fail("v and 3 finite numbers (or 4 with a weight, or 6 with a colour), in single precision");
@@ -111,7 +111,7 @@ class ObjReader {
     return std::nullopt;
   }
 
-  /// Of lines and points (`l`, `p`) the corners are looked at and left.
+  /// Reads the corners of a face. Those of lines and points (`l`, `p`) are checked and left.
   void read_corners(const Words& words) {
     const bool face = words[0] == "f";
     faces_ = faces_ || face;

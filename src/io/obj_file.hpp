@@ -1,7 +1,7 @@
-// OBJ files, as far as they tell a shape: points and the faces over them.
+// OBJ files, as far as they describe a shape: points and the faces over them.
 //
-// Guarantee: any bytes are either read or refused by line, value and expectation; nothing is allocated that the file
-// does not pay for.
+// Guarantee: any bytes are either read or refused by line, value and expectation; no more is allocated than in
+// proportion to the bytes of the file.
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace graze::io {
 
-/// Faces of more than three corners are cut into triangles; points that no face uses are left out. Throws
-/// `InvalidValue`.
+/// The triangles of a file. Faces of more than three corners are cut into triangles; points that no face uses are left
+/// out. Throws `InvalidValue`.
 TriangleSoup read_obj(std::string_view text);
 
 }  // namespace graze::io

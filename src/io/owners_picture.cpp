@@ -14,10 +14,10 @@ namespace graze::io {
 
 namespace {
 
-/// Pixels below which a body is a square; and in a scene of so many bodies that to draw them all takes too much.
+/// The pixels below which a body is a square; more in a scene of so many bodies that drawing them all takes too much.
 constexpr double smallest_drawn = 3.5, smallest_of_many = 24;
 constexpr std::uint64_t many = 20000;
-/// What does not move is drawn paler.
+/// The colour of bodies that do not move, which is paler.
 constexpr Color of_fixed{205, 211, 217};
 /// Owners that have a line in the legend.
 constexpr std::size_t most_words = 16;
@@ -25,7 +25,7 @@ constexpr double owners_edge = 40, legend_width = 190;
 constexpr Panel owners_panel{owners_edge, owners_edge + 25, picture_width - 2 * owners_edge - legend_width,
                              picture_height - 2 * owners_edge - 10};
 
-/// Colours far from each other, also of owners that follow each other: hues by the golden angle, in two lightnesses.
+/// The colour of an owner, far from all others, also from the next one: hues by the golden angle, in two lightnesses.
 Color color_of_owner(std::uint32_t owner) {
   const double hue = std::fmod(210 + 137.50776405 * owner, 360) / 60, light = owner % 2 == 0 ? 0.84 : 0.7;
   const double part = 1 - std::abs(std::fmod(hue, 2) - 1);
@@ -101,7 +101,8 @@ void OwnersPicture::add(const Shaped& shape, const Posed& pose, bool fixed, std:
   const Aabbd box = bounds(shape, pose);
   const double pixels = max_abs(box.extent()) * view.scale();
   if (pixels < smallest_) {
-    // On a grid of squares as large as the body, rounded up to a power of two; large ones behind all small ones.
+    // Squares are drawn on a grid as coarse as the body, rounded up to a power of two; large ones behind all small
+    // ones.
     const int level = std::max(1, static_cast<int>(std::ceil(std::log2(std::max(pixels, 1.0)))));
     const double side = std::ldexp(1.0, level);
     const Vec3d at = box.center();

@@ -13,7 +13,7 @@ namespace graze::io {
 struct ParsedNumber {
   double value = 0;        ///< the nearest double
   std::size_t length = 0;  ///< of the number, in characters; 0 where there is none
-  std::errc error{};       ///< of none, or of one beyond a double's range, as of `std::from_chars`
+  std::errc error{};       ///< as of `std::from_chars`: for no number, or one beyond a double's range
 };
 
 /// The number that a text begins with: digits with or without a sign, a point and an exponent. No language's own signs

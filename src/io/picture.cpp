@@ -16,7 +16,7 @@ namespace {
 
 constexpr double edge = 40;
 
-/// The bounds of all that is bounded; a unit box when nothing is.
+/// The bounds of all bounded shapes; a unit box when there are none.
 Aabbd scene_bounds(const Scene& scene) {
   Aabbd all = Aabbd::empty();
   for (const Collider& c : scene.colliders)
@@ -24,8 +24,8 @@ Aabbd scene_bounds(const Scene& scene) {
   return all.lower.x <= all.upper.x ? all : Aabbd{{-1, -1, -1}, {1, 1, 1}};
 }
 
-/// What bodies of a picture may be, as its legend calls them. A body that does not move is tinted a little where it is
-/// touched.
+/// The kinds of bodies in a picture, by their names in its legend. A body that does not move is tinted a
+/// little where it is touched.
 constexpr std::pair<DrawMeaning, const char*> legend_names[] = {{DrawMeaning::fixed, "static"},
                                                                 {DrawMeaning::touched, "static, touched"},
                                                                 {DrawMeaning::moving, "moving"},
@@ -79,7 +79,7 @@ std::set<std::uint32_t> touching_colliders(const std::vector<TouchingPair>& pair
 
 constexpr Panel scene_panel{edge, edge + 25, picture_width - 2 * edge, picture_height - 2 * edge - 30};
 
-/// The colliders of a scene, of space or of the plane, and the contacts of what overlaps.
+/// Draws the colliders of a scene, of space or of the plane, and the contacts of those that overlap.
 template <class AnyScene>
 std::string draw_on(const View& view, const AnyScene& scene, const Aabbd& box, const std::vector<TouchingPair>& pairs) {
   const double size = std::max(max_abs(box.extent()), least_size);

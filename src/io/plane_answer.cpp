@@ -88,7 +88,7 @@ void write_plane_cast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) 
   out.key("t").number(hit->t);
   write_flat(out, "normal", hit->normal);
   write_flat(out, "point", hit->point);
-  // Not before that time; whether then or later is not known.
+  // The contact is not before that time; whether it is then or later is not known.
   write_bounded(hit->status == Status::converged, q.duration - hit->t, out);
 }
 

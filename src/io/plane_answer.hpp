@@ -11,7 +11,7 @@ namespace graze::io {
 template <class T>
 void write_plane_answer(const PlaneQuestion<T>& question, JsonWriter& out);
 
-/// Fills in what the question is answered by, at z = 0; what is drawn is for others to say.
+/// Fills in the answer to the question, at z = 0, but for the shapes to be drawn.
 template <class T>
 void explain_in_plane(const PlaneQuestion<T>& question, Explanation& explanation);
 

@@ -12,7 +12,7 @@ plane::Vec2<T> read_vector2(const JsonValue& json) {
 
 template <class T>
 plane::Rot2<T> read_angle(const JsonValue& json) {
-  // In double, whatever the precision: a float's sine would lose a digit that its cosine keeps.
+  // The turn is computed in double, whatever the precision: a float's sine would lose a digit that its cosine keeps.
   const plane::Rot2<double> turn = plane::Rot2<double>::from_angle(double(json.number<T>()));
   return plane::converted<T>(turn);
 }
@@ -23,7 +23,7 @@ void read_place(const JsonValue& json, plane::Pose2<T>& pose) {
   if (const auto v = json.find("rotation")) pose.rotation = read_angle<T>(*v);
 }
 
-/// What `make` builds, with the path of what it refuses.
+/// The result of `make`; errors of it get the path of the value.
 template <class F>
 auto built_below(const JsonValue& json, const F& make) {
   try {
@@ -154,7 +154,7 @@ void read_plane_ray(const JsonValue& json, PlaneQuestion<T>& q) {
   if (const auto l = json.find("length")) q.ray_length = l->positive_or_zero<T>();
 }
 
-/// Where the body ends is a coordinate like any other, and a half-plane does not turn.
+/// Checks a motion: the end of a body's way is a coordinate like any other, and a half-plane does not turn.
 template <class T>
 void check_plane_motion(const JsonValue& json, const PlaneBody<T>& body, T duration) {
   if (!(plane::max_abs(body.velocity.linear * duration) <= largest_magnitude<T>))

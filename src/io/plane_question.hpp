@@ -29,7 +29,7 @@ struct PlaneQuestion {
   bool explain = false;
 };
 
-/// Whether the question is one of the plane. A `dimension` that is neither 2 nor 3 is for `read_question` to refuse.
+/// Whether the question is one of the plane. A `dimension` that is neither 2 nor 3 is refused by `read_question`.
 bool in_the_plane(const Json& question);
 
 /// Reads a whole question; throws `InvalidValue` with the path of the first value at fault.

@@ -1,4 +1,4 @@
-// What a simulation of the plane did, written as lines or as a picture that moves.
+// Recordings of a simulation of the plane, as lines or as a picture that moves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,8 +38,8 @@ class PlaneLines final : public PlaneRecording {
   Precision precision_;
 };
 
-/// Each body is drawn once, where it is at first, in two groups whose transforms SMIL animates: a way, and a turn about
-/// where its origin was.
+/// A picture in which each body is drawn once, at its first place, in two groups whose transforms SMIL animates: a way,
+/// and a turn about the first place of its origin.
 class MovingPicture final : public PlaneRecording {
  public:
   MovingPicture(const std::filesystem::path& file, const PlaneScene& scene)
@@ -54,7 +54,7 @@ class MovingPicture final : public PlaneRecording {
       std::vector<Place>& track = tracks_[i];
       const PlaneBodyState& body = frame.bodies[i];
       double angle = body.rotation;
-      // On from the last frame by less than half a turn.
+      // The angle goes on from that of the last frame by less than half a turn.
       if (!track.empty()) angle = track.back().angle + std::remainder(angle - track.back().angle, 2 * std::numbers::pi);
       track.push_back({{body.translation.x, body.translation.y, 0}, angle});
     }
@@ -100,7 +100,7 @@ class MovingPicture final : public PlaneRecording {
     return canvas.faces() + canvas.over();
   }
 
-  /// Down is up on a picture, and so is the sense of a turn.
+  /// The animated group of a body. On a picture the Y axis points down, and turns go the other way round.
   std::string animated(const View& view, const std::vector<Place>& track, const std::string& shapes) const {
     if (track.size() < 2 || !(time_ > 0)) return shapes;
     const double x = view.x(track.front().at), y = view.y(track.front().at);

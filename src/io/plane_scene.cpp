@@ -11,7 +11,7 @@ namespace graze::io {
 
 namespace {
 
-/// A drawing of this size has more shapes than anybody draws.
+/// The largest size of a drawing that is read: it has more shapes than anybody draws.
 constexpr std::size_t largest_file = std::size_t(1) << 28;
 
 std::string ending_of(const std::filesystem::path& file) {
@@ -111,7 +111,7 @@ std::uint64_t PlaneSceneBuilder::bits_of(const std::vector<std::string>& names) 
 void PlaneSceneBuilder::add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose) {
   PlaneCollider collider{std::move(name), 0, std::move(shape), pose, {}, role.trigger};
   collider.body = body_of(collider.name, role);
-  // What belongs to no system has the last bit.
+  // A collider that belongs to no system has the last bit.
   collider.filter.category = role.systems.empty() ? std::uint64_t(1) << 63 : bits_of(role.systems);
   if (!role.collide_with.empty()) collider.filter.mask = bits_of(role.collide_with);
   if (!role.not_collide_with.empty()) collider.filter.mask = ~bits_of(role.not_collide_with);

@@ -1,4 +1,4 @@
-// What both readers of plane scenes share: bodies by name, filters by the names of collision systems.
+// The parts that both readers of plane scenes share: bodies by name, filters by the names of collision systems.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ class PlaneSceneBuilder {
  public:
   explicit PlaneSceneBuilder(std::string source) { scene_.source = std::move(source); }
 
-  /// What a collider is besides its shape and place. `collide_with` and `not_collide_with` exclude each other.
+  /// A collider but for its shape and place. `collide_with` and `not_collide_with` exclude each other.
   struct Role {
     std::string body;  ///< a name that several colliders may share; empty for a body of its own
     MotionType motion = MotionType::fixed;
@@ -24,7 +24,7 @@ class PlaneSceneBuilder {
     PlaneMotion physics;  ///< the same of all that is one body
   };
 
-  /// Throws `InvalidValue` for more collision systems than bits, or for a body that moves in two ways.
+  /// Adds a collider. Throws `InvalidValue` for more collision systems than bits, or for a body that moves in two ways.
   void add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose);
   void set_gravity(const plane::Vec2d& gravity) { scene_.gravity = gravity; }
   void note(std::string sentence) { scene_.notices.push_back(std::move(sentence)); }

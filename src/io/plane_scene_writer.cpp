@@ -12,7 +12,7 @@ using plane::Vec2d;
 
 JsonWriter& put(JsonWriter& out, const Vec2d& v) { return out.open('[').number(v.x).number(v.y).close(']'); }
 
-/// How a body is moved, without what is so by default.
+/// Writes the motion of a body, without values that are the default.
 void write_motion(JsonWriter& out, const PlaneSceneBody& body) {
   const PlaneMotion &motion = body.motion, usual;
   if (body.type != MotionType::fixed)
@@ -29,7 +29,7 @@ void write_motion(JsonWriter& out, const PlaneSceneBody& body) {
   number("restitution", motion.restitution, usual.restitution);
 }
 
-/// The names behind the bits of a filter. The last bit is that of what belongs to no system.
+/// Writes the names behind the bits of a filter. The last bit is that of colliders that belong to no system.
 void write_filter(JsonWriter& out, const Filter& filter, const std::vector<std::string>& systems) {
   constexpr std::uint64_t no_system = std::uint64_t(1) << 63;
   const auto names = [&](const char* key, std::uint64_t bits) {

@@ -75,7 +75,7 @@ void write_pose(JsonWriter& out, const plane::Pose2<T>& pose) {
 
 template <class T>
 void write_shape(JsonWriter& out, const plane::Shape<T>& shape) {
-  const char* type = shape.name();  // kinds are called as in the protocol
+  const char* type = shape.name();  // kinds have the names of the protocol
   out.open('{').key("type").raw('"' + std::string(type) + '"').key(type).open('{');
   shape.visit(PlaneMeasures<T>(out));
   out.close('}');

@@ -1,4 +1,4 @@
-// What pictures ask of shapes of the plane.
+// The properties of shapes of the plane that pictures use.
 //
 // Guarantee: any shape.
 #pragma once

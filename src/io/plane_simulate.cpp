@@ -76,7 +76,7 @@ class SimulatedPlaneScene {
   }
 
  private:
-  /// All colliders of a body are one shape in the frame of the first.
+  /// Adds a moving body: all of its colliders are one shape in the frame of the first.
   void add_moving(std::uint32_t b, const std::vector<const PlaneCollider*>& colliders) {
     if (colliders.empty()) return;  // triggers alone
     const PlaneCollider& first = *colliders.front();
@@ -116,9 +116,9 @@ class SimulatedPlaneScene {
 
   const PlaneScene& scene_;
   plane::CapturedSimulation<T> captured_;
-  const plane::Simulation<T>& simulation_;  ///< what is played
+  const plane::Simulation<T>& simulation_;  ///< the one that is played
   std::vector<std::uint32_t> moving_;
-  std::vector<std::optional<BodyId>> ids_;  ///< by the scene's bodies: the first that is of it
+  std::vector<std::optional<BodyId>> ids_;  ///< by the scene's bodies: the first body of each in the simulation
   std::vector<std::uint32_t> body_of_;      ///< by the simulation's indices
 };
 

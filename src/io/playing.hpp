@@ -7,8 +7,8 @@
 
 namespace graze::io {
 
-/// Steps `simulated` through all frames of `options` and gives each to `each`, the first at time 0. What the scene has
-/// (bodies, joints, notices) is left to the caller.
+/// Steps `simulated` through all frames of `options` and calls `each` with each frame, the first at time 0. The members
+/// of the summary about the scene (bodies, joints, notices) are left to the caller.
 template <class Simulated, class Each>
 SimulateSummary play(Simulated& simulated, const SimulateOptions& options, const Each& each) {
   const std::size_t frames = frame_count(options);

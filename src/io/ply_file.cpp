@@ -14,9 +14,9 @@ namespace graze::io {
 
 namespace {
 
-/// A polygon is cut in time that grows with the square of its corners: 1024 take some milliseconds.
+/// The most corners of a polygon. Cutting it takes time that grows with their square: 1024 take some milliseconds.
 constexpr std::size_t most_corners = 1024;
-/// What ends one triangle strip and begins the next is -1 in the file.
+/// The mark between two triangle strips, -1 in the file.
 constexpr std::uint32_t strip_end = 0xffffffffu;
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };

@@ -10,8 +10,8 @@
 
 namespace graze::io {
 
-/// The polygons of the element `face` and the strips of `tristrips` over the points of `vertex`; what else the file
-/// holds is left out. Throws `InvalidValue`.
+/// The polygons of the element `face` and the strips of `tristrips` over the points of `vertex`; all other elements are
+/// left out. Throws `InvalidValue`.
 TriangleSoup read_ply(std::string_view bytes);
 
 }  // namespace graze::io

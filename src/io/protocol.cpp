@@ -13,7 +13,7 @@ namespace {
 
 bool blank(std::string_view line) { return line.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos; }
 
-/// How a line is to be answered.
+/// The manner in which a line is answered.
 struct Manner {
   Precision precision;
   bool explained = false;  ///< with its trace, whatever the question says
@@ -55,7 +55,7 @@ AnswerLine answer(std::string_view line, const Manner& manner) {
   try {
     const Json json = parse_json(line);
     if (!json.is_object()) throw InvalidValue("", "one JSON object", shown(json));
-    // As it stands: parsed and written again, a long number would lose its digits.
+    // The id is copied as it stands: parsed and written again, a long number would lose its digits.
     if (json.contains("id")) id = member_text(line, "id");
     const bool wide = manner.precision == Precision::double_precision;
     return {wide ? answered<double>(json, id, manner) : answered<float>(json, id, manner), false};
@@ -84,7 +84,8 @@ std::size_t answer_stream(std::istream& in, std::ostream& out, Precision precisi
       errors += answered.error;
       out << answered.text << '\n';
     }
-    // Whoever asks one question at a time waits for its answer; whoever sends many at once is not slowed down.
+    // The output is flushed when no further question waits: then a client may wait for the answer. Many questions sent
+    // at once are not slowed down.
     if (in.rdbuf()->in_avail() <= 0) out.flush();
   }
   out.flush();

@@ -34,7 +34,7 @@ Ray<T> read_ray(const JsonValue& json, T& length) {
   return ray;
 }
 
-/// Where the body ends is a coordinate like any other.
+/// Checks a body's way: its end is a coordinate like any other.
 template <class T>
 void check_journey(const JsonValue& json, const MovingBody<T>& body, T duration) {
   const Vec3<T> way = body.linear * duration;

@@ -7,7 +7,7 @@ namespace graze::io {
 
 namespace {
 
-/// The object of a shape's own name, and the number of a key in it or the default of KHR_implicit_shapes.
+/// The number of a key in the object of a shape's own name, or the default of KHR_implicit_shapes.
 template <class T>
 T length_or(const std::optional<JsonValue>& json, const char* key, T otherwise) {
   if (!json) return otherwise;
@@ -22,7 +22,7 @@ std::vector<Vec3<T>> read_points(const JsonValue& json) {
   return points;
 }
 
-/// Runs a constructor, whose complaints are about keys of the shape's own object.
+/// The result of a constructor, whose errors are about keys of the shape's own object.
 template <class F>
 auto built(const JsonValue& json, const F& make) {
   try {
@@ -84,7 +84,7 @@ Shape<T> read_height_field(const JsonValue& json) {
     dz = parts[1].length<T>();
   }
   const JsonValue list = json.at("heights");
-  // Compared by division, so that huge counts cannot overflow into a match.
+  // Sizes are compared by division, so that huge counts cannot overflow into a match.
   if (!list.json().is_array() || list.json().size() / columns != rows || list.json().size() % columns != 0)
     list.fail("an array of columns x rows = " + std::to_string(columns) + " x " + std::to_string(rows) + " values");
 

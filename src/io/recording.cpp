@@ -12,7 +12,7 @@ namespace graze::io {
 
 namespace {
 
-/// Each line is written when it comes, so that what a run has done can be read while it goes on.
+/// A recording that writes each line when it comes, so that it can be read while the run goes on.
 class LineRecording final : public Recording {
  public:
   LineRecording(const std::filesystem::path& file, const Scene& scene, Precision precision)

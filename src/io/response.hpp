@@ -1,4 +1,4 @@
-// The query `response` of the protocol: what a blow does.
+// The query `response` of the protocol: the effect of a blow.
 #pragma once
 
 #include "graze/impulse.hpp"
@@ -15,7 +15,7 @@ struct ResponseQuestion {
   bool explain = false;
 };
 
-/// Whether a question is one of these.
+/// Whether a question is a `response`.
 bool asks_for_response(const JsonValue& json);
 
 /// Reads the question; throws `InvalidValue` with the path of the first value at fault.

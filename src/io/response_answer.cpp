@@ -1,4 +1,4 @@
-// The query `response`: answering it.
+// The answer of the query `response`.
 #include "io/response.hpp"
 
 namespace graze::io {

@@ -1,4 +1,4 @@
-// The query `response`: reading it.
+// The reading of the query `response`.
 #include "graze/plane/mass.hpp"
 #include "io/plane_question.hpp"
 #include "io/question.hpp"
@@ -8,7 +8,7 @@ namespace graze::io {
 
 namespace {
 
-/// A normal may be off unit length by what is lost when it is written with four digits.
+/// The error of a unit normal's length when it is written with four digits.
 constexpr double longest_off_unit = 1e-3;
 
 template <class T>
@@ -59,7 +59,8 @@ InverseMass<T> read_mass_of_shape(const JsonValue& body, T mass, const Quat<T>& 
   return inverse_mass(mass, inertia_of(shape, mass), rotation);
 }
 
-/// The body's own `mass` and `inertia`. What is not needed is read all the same, so that its faults are named.
+/// The body's own `mass` and `inertia`. Values that are not needed are read all the same, so that their faults are
+/// named.
 template <class T>
 InverseMass<T> read_mass(const JsonValue& json, const Quat<T>& rotation, int dimension) {
   const T mass = read_resistance<T>(json.at("mass"));

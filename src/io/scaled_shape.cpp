@@ -57,7 +57,7 @@ MappedShape mapped_mesh(const Mesh<double>& mesh, const Affine& map) {
   return {Mesh<double>(std::move(points), std::move(triangles), mesh.sides(), mesh.solid()), {map.translation, {}}, ""};
 }
 
-/// A height field as the triangles that it is: under most maps it is no grid any more.
+/// A height field as triangles: under most maps it is no grid any more.
 MappedShape mapped_height_field(const HeightField<double>& field, const Affine& map) {
   std::vector<Vec3d> points;
   std::vector<Mesh<double>::Index> triangles;
@@ -79,7 +79,7 @@ MappedShape mapped_half_space(const Affine& map) {
       HalfSpace<double>(), {map.translation, rotation_quaternion(Mat3d::from_columns(side, up, cross(side, up)))}, ""};
 }
 
-/// What keeps its kind under a scale without shear, or nothing.
+/// The shape under a scale without shear where it keeps its kind, or nothing.
 std::optional<Shaped> scaled_kind(const Shaped& shape, const Vec3d& s) {
   const bool round = equal_scales(s.x, s.z), uniform = round && equal_scales(s.x, s.y);
   if (const auto* sphere = shape.as<Sphere<double>>()) {

@@ -1,4 +1,4 @@
-// A shape under the map of its node: what it becomes when it is scaled.
+// A shape under the map of its node, which may scale it.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace graze::io {
 struct MappedShape {
   Shaped shape;
   Posed pose;
-  std::string notice;  ///< what was approximated and by how much; empty when nothing was
+  std::string notice;  ///< the approximation and its error; empty when there is none
 };
 
-/// A ball becomes an ellipsoid, a box a box, points are mapped one by one; a curved shape that has no name for what it
-/// becomes turns into the hull of points on its surface, and the notice says how far off that is.
+/// The mapped shape. A ball becomes an ellipsoid, a box a box, points are mapped one by one; a curved shape whose image
+/// is none of the library's kinds turns into the hull of points on its surface, and the notice gives the error.
 MappedShape mapped(const Shaped& shape, const Affine& map);
 
 }  // namespace graze::io

@@ -26,7 +26,7 @@ Scene load_mesh(const std::string& bytes, const std::filesystem::path& file, con
   return scene;
 }
 
-/// The bits of `mask` moved to where `append` puts the systems of another scene.
+/// The bits of `mask` moved to the places that `append` gives the systems of another scene.
 std::uint64_t moved_bits(std::uint64_t mask, const std::vector<std::size_t>& place) {
   constexpr std::uint64_t named = ~(std::uint64_t{1} << 63);
   // A mask that leaves some systems out, and so holds all bits above them, goes on holding all others.

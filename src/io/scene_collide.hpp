@@ -1,7 +1,7 @@
-// A scene's colliders put into a world, of space or of the plane, and what touches there.
+// A scene's colliders put into a world, of space or of the plane, and the pairs that touch there.
 //
-// Guarantee: pairs in the order of the scene's colliders, the same for every scene of either kind; triggers are asked
-// for contacts too, so that they can be drawn.
+// Guarantee: pairs in the order of the scene's colliders, the same for every scene of either kind; triggers have
+// contacts too, so that they can be drawn.
 #pragma once
 
 #include "graze/io/collide.hpp"
@@ -9,7 +9,7 @@
 
 namespace graze::io {
 
-/// Tells how far a world's update is: its longest stage, the manifolds, is many tasks.
+/// Reports the progress of a world's update: its longest stage, the manifolds, is many tasks.
 class ProgressExecutor final : public Executor {
  public:
   explicit ProgressExecutor(const std::function<void(std::size_t, std::size_t)>& progress) : progress_(progress) {}

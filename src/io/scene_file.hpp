@@ -5,11 +5,11 @@
 
 namespace graze::io {
 
-/// As `load_gltf`, with the folder that buffers of their own may be read from.
+/// Loads as `load_gltf` does, with the folder that buffers of their own may be read from.
 Scene load_gltf_from(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
                      const LoadOptions& options);
 
-/// As `load_scene`, but tiles that the file references are not read.
+/// Loads as `load_scene` does, but tiles that the file references are not read.
 Scene load_whole(const std::filesystem::path& file, const LoadOptions& options);
 
 /// All bytes of a regular file.

@@ -11,7 +11,7 @@
 
 namespace graze::io {
 
-/// Whether anything in the scene can move: else all of it is as if fixed, and is compared all the same.
+/// Whether anything in the scene can move; if not, all bodies count as fixed, and are compared all the same.
 template <class AnyScene>
 bool moves_by_itself(const AnyScene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
@@ -26,7 +26,7 @@ void check_pose(const Pose<T>& pose) {
       validate::fail("translation[" + std::to_string(i) + "]", expectation, static_cast<double>(pose.translation[i]));
 }
 
-/// Throws `InvalidValue` for what double could hold and float cannot.
+/// A collider as a body. Throws `InvalidValue` for numbers that double holds and float cannot.
 template <class T>
 graze::Body<T> in_world(const Scene& scene, const Collider& c, bool fixed) {
   try {
@@ -41,7 +41,7 @@ graze::Body<T> in_world(const Scene& scene, const Collider& c, bool fixed) {
   }
 }
 
-/// The same for a collider of the plane, whose world checks its pose.
+/// A collider of the plane as a body, whose world checks its pose.
 template <class T>
 plane::Body<T> in_world(const PlaneScene& scene, const PlaneCollider& c, bool fixed) {
   try {
@@ -56,7 +56,7 @@ plane::Body<T> in_world(const PlaneScene& scene, const PlaneCollider& c, bool fi
   }
 }
 
-/// Names the number that was given, not what became of it in T.
+/// The margin in T. Errors name the number that was given, not the one in T.
 template <class T>
 T checked_margin(double margin) {
   const auto value = static_cast<T>(margin);

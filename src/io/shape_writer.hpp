@@ -1,6 +1,6 @@
 // Shapes as the query protocol reads them.
 //
-// Guarantee: the shape that the text is read as in double has the same measures; those of `float` are widened, exactly.
+// Guarantee: the text read in double gives a shape of the same measures; those of `float` are widened, exactly.
 #pragma once
 
 #include "graze/plane/shape.hpp"
@@ -9,13 +9,13 @@
 
 namespace graze::io {
 
-/// Writes a shape of space. Throws `InvalidValue` for one that the protocol has no words for: a user's own, and a mesh
-/// or a height field that is seen from its front alone. A ball beside its origin becomes a compound of one child, a
+/// Writes a shape of space. Throws `InvalidValue` for one that the protocol cannot express: a user's own, and a mesh or
+/// a height field that is seen from its front alone. A ball beside its origin becomes a compound of one child, a
 /// segment the hull of its two ends.
 template <class T>
 void write_shape(JsonWriter& out, const Shape<T>& shape);
 
-/// Writes where something stands in the plane: the keys `translation` and, where it is turned, `rotation` in radians.
+/// Writes a place in the plane: the keys `translation` and, where it is turned, `rotation` in radians.
 template <class T>
 void write_pose(JsonWriter& out, const plane::Pose2<T>& pose);
 

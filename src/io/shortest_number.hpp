@@ -12,13 +12,14 @@
 
 namespace graze::io {
 
-/// Writes the finite `value` without an end of its own to `text`, of at least 40 characters; answers where it ends.
+/// Writes the finite `value` without an end of its own to `text`, of at least 40 characters; returns where it ends.
 template <class T>
 char* write_shortest(T value, char* text) {
   constexpr std::size_t room = 40;
   const auto wide = static_cast<double>(value);
-  // Digits are tried one after the other, each time rounded correctly. A decimal of up to `digits10` digits is what
-  // its nearest normal number rounds to at `digits10` digits: if these read back, they hold the fewest, before zeros.
+  // Digits are tried one after the other, each time rounded correctly. A decimal of up to `digits10` digits comes back
+  // when its nearest normal number is rounded to `digits10` digits: if these read back, they hold the fewest, before
+  // zeros.
   const bool normal = std::abs(value) >= std::numeric_limits<T>::min();
   int digits = normal ? std::numeric_limits<T>::digits10 : 1;
   const auto print = [&] { return std::snprintf(text, room, "%.*e", digits - 1, wide); };

@@ -32,7 +32,7 @@ graze::Material<T> in_precision(const Material& m) {
           converted<T>(m.surface_velocity)};
 }
 
-/// Seen from a part: `to_body` is the body's frame there. `count` parts share the mass, about one centre.
+/// The mass of a part, in its own frame: `to_body` is the body's frame there. `count` parts share it, about one centre.
 template <class T>
 Dynamics<T> share_of(const Dynamics<double>& whole, const Posed& to_body, std::size_t count) {
   const auto share = static_cast<T>(count);
@@ -99,7 +99,8 @@ SimulatedScene<T>::SimulatedScene(const Scene& scene, const SimulateOptions& opt
   for (const Joint& joint : scene.joints) add_joint(joint);
 }
 
-/// A body follows an animation that moves its own node; what is fixed follows one that moves any node above it too.
+/// Finds bodies that an animation moves: through the body's own node, or that of a fixed body
+/// through any node above it.
 template <class T>
 void SimulatedScene<T>::find_animated() {
   if (scene_.animations.empty()) return;
@@ -117,7 +118,8 @@ void SimulatedScene<T>::find_animated() {
   motion_->go_to(0);
 }
 
-/// A body of the simulation is one of the scene's bodies, or a part of it, and has its name in a capture.
+/// Records that a body of the simulation is one of the scene's bodies, or a part of it, and gives it its name in a
+/// capture.
 template <class T>
 void SimulatedScene<T>::known_as(std::uint32_t body, const Part& part) {
   parts_[body].push_back(part);
@@ -185,7 +187,7 @@ void SimulatedScene<T>::hold_together(std::uint32_t body) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     graze::Joint<T> joint =
         fixed_joint<T>(parts[0].id, converted<T>(parts[0].to_body), parts[i].id, converted<T>(parts[i].to_body));
-    joint.enable_collision = true;  // they are of one body, which their filters know
+    joint.enable_collision = true;  // parts of one body do not collide by their filters
     simulation_.add(joint);
   }
 }
@@ -200,7 +202,7 @@ void SimulatedScene<T>::add_fixed(std::uint32_t body) {
   }
 }
 
-/// Each collider is led by itself, as channels may move them against each other.
+/// Adds each collider as a body of its own, as channels may move them against each other.
 template <class T>
 void SimulatedScene<T>::add_animated(std::uint32_t body) {
   for (const MovedCollider& m : motion_->colliders()) {
@@ -228,7 +230,8 @@ auto SimulatedScene<T>::part_of(const std::optional<std::uint32_t>& body) -> Par
   return *world_;
 }
 
-/// A body of several parts is held by its first; the others are kept from colliding by joints that hold nothing.
+/// Adds a joint. A body of several parts is held by its first; the others are kept from colliding by joints that hold
+/// nothing.
 template <class T>
 void SimulatedScene<T>::add_joint(const Joint& joint) {
   try {

@@ -12,10 +12,10 @@ namespace graze::io {
 template <class T>
 class SimulatedScene {
  public:
-  /// Throws `InvalidValue`. The scene outlives this.
+  /// Builds the simulation. Throws `InvalidValue`. The scene outlives this.
   SimulatedScene(const Scene& scene, const SimulateOptions& options);
 
-  /// Steps to `time`, which is `dt` after the last.
+  /// Steps to `time`, which is `dt` after the last one.
   void step(double time, double dt);
   SimulationFrame frame(double time) const;
   StepReport<T> report() const { return simulation_.simulation().report(); }
@@ -49,7 +49,7 @@ class SimulatedScene {
   std::vector<std::uint32_t> moving_;
   std::vector<std::vector<Part>> parts_;     ///< by the scene's bodies
   std::vector<std::uint32_t> body_of_part_;  ///< by the simulation's indices
-  std::optional<Part> world_;                ///< what joints to the world hold on to
+  std::optional<Part> world_;                ///< the fixed body that joints to the world hold on to
   std::unique_ptr<ColliderMotion> motion_;
   std::vector<char> animated_;  ///< by the scene's bodies
   std::vector<std::string> notices_;

@@ -33,7 +33,7 @@ inline plane::Ellipse<float> single(const plane::Ellipse<double>& e) {
 }
 inline plane::HalfPlane<float> single(const plane::HalfPlane<double>&) { return {}; }
 
-/// A user's shape asked in double and rounded.
+/// A user's shape whose support points are computed in double and rounded.
 class SinglePlaneSupport final : public plane::SupportFunction<float> {
  public:
   explicit SinglePlaneSupport(plane::UserConvex<double> shape) : shape_(std::move(shape)) {}
@@ -68,7 +68,7 @@ inline plane::Compound<float> single(const plane::Compound<double>& c) {
 
 }  // namespace detail
 
-/// The same shape with its numbers rounded to float. Throws `InvalidValue` for one that floats cannot hold.
+/// A shape with its numbers rounded to float. Throws `InvalidValue` for one that floats cannot hold.
 inline plane::Shapef to_single(const plane::Shaped& shape) {
   return shape.visit([&](const auto& c) -> plane::Shapef {
     return {detail::single(c), static_cast<float>(shape.rounding())};

@@ -38,7 +38,7 @@ Filled filled(const Shaped& shape) {
   return all;
 }
 
-/// Whether two colliders are compared: see `collide`.
+/// Whether two colliders are compared, as `collide` defines it.
 bool compared(const Scene& scene, const Collider& a, const Collider& b, bool moves) {
   const auto fixed = [&](const Collider& c) { return scene.bodies[c.body].type == MotionType::fixed; };
   return a.body != b.body && may_collide(a.filter, b.filter) && !(moves && fixed(a) && fixed(b));

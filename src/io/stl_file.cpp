@@ -55,7 +55,7 @@ std::optional<Vec3d> vector_in(const Words& words, std::size_t from) {
   return v;
 }
 
-/// What other programs hold in single precision has to be a number there.
+/// Whether coordinates are finite in single precision too, which other programs use.
 bool finite_in_single(const Vec3d& v) {
   const Vec3f single = converted<float>(v);
   return std::isfinite(single.x) && std::isfinite(single.y) && std::isfinite(single.z);

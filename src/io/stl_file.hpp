@@ -1,7 +1,7 @@
 // STL files, text and binary.
 //
-// Guarantee: any bytes are either read or refused by place, value and expectation; nothing is allocated that the file
-// does not pay for.
+// Guarantee: any bytes are either read or refused by place, value and expectation; no more is allocated than in
+// proportion to the bytes of the file.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace graze::io {
 
-/// Three points of its own for each triangle; normals are left. Throws `InvalidValue`.
+/// The triangles of a file, each with three points of its own; normals are left. Throws `InvalidValue`.
 TriangleSoup read_stl(std::string_view bytes);
 
 }  // namespace graze::io

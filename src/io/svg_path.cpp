@@ -13,7 +13,7 @@ namespace {
 
 using plane::Vec2d;
 
-/// Where a text is read, number by number.
+/// A place in a text that is read number by number.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
@@ -140,7 +140,7 @@ class PathReader {
     return relative ? at_ + p : p;
   }
   void add(const Curve& curve) {
-    // What follows a closed outline begins where that did.
+    // A curve behind a closed outline begins where that did.
     if (outlines_.back().closed) outlines_.push_back({at_, {}});
     outlines_.back().curves.push_back(curve);
     at_ = curve.p[curve.kind == Curve::cubic ? 2 : curve.kind == Curve::quadratic ? 1 : 0];
@@ -198,8 +198,8 @@ class PathReader {
   std::size_t count_ = 0;
 };
 
-/// Pieces that a curve needs, whose second derivative by a parameter from 0 to 1 is at most `bend`: a chord over a
-/// stretch h of the parameter is no further off than bend h^2 / 8.
+/// The number of pieces for a curve whose second derivative by a parameter from 0 to 1 is at most `bend`: a chord over
+/// a stretch h of the parameter is no further off than bend h^2 / 8.
 std::size_t pieces_for(double bend, double tolerance) {
   const double count = std::ceil(std::sqrt(bend / (8 * tolerance)));
   if (!(count < static_cast<double>(most_path_points)))

@@ -1,6 +1,6 @@
 // The little languages in SVG's attributes: numbers, transforms and path data.
 //
-// Guarantee: any text gives what it says or `InvalidValue`; curves become straight pieces that are nowhere further from
+// Guarantee: any text gives its values or `InvalidValue`; curves become straight pieces that are nowhere further from
 // them than the tolerance. The number of points is bounded.
 #pragma once
 
@@ -23,8 +23,8 @@ struct Affine2 {
   }
 };
 
-/// A linear map as rotations before and after stretches along the axes: `turn` takes the X axis to where the longer
-/// stretch leads.
+/// A linear map as rotations before and after stretches along the axes: `turn` takes the X axis to the direction of the
+/// longer stretch.
 struct Stretches {
   double longer, shorter;
   plane::Vec2d turn;  ///< unit
@@ -44,8 +44,8 @@ struct Subpath {
   bool closed = false;
 };
 
-/// SVG's path data in the frame that `map` leads to. Curves are flattened to `tolerance` there, or where that is
-/// nothing to a thousandth of the larger side of all points and control points.
+/// SVG's path data in the frame that `map` leads to. Curves are flattened to `tolerance` there, or without one to a
+/// thousandth of the larger side of all points and control points.
 std::vector<Subpath> read_path(std::string_view text, const Affine2& map, std::optional<double> tolerance);
 
 /// The most points that one path or list may have.

@@ -19,11 +19,10 @@ using plane::Pose2d;
 using plane::Vec2d;
 
 constexpr std::size_t most_elements = 1000000;
-/// Cutting a solid polygon of n vertices takes up to n^2 steps; of all of a file together no more than this, which is
-/// some seconds.
+/// The most steps of cutting solid polygons in a file, some seconds: one of n vertices takes up to n^2 of them.
 constexpr double most_cutting = 4e8;
 
-/// What an element hands down to those inside it.
+/// The attributes that an element hands down to those inside it.
 struct Context {
   Affine2 map;
   PlaneSceneBuilder::Role role;
@@ -58,14 +57,14 @@ class SvgReader {
   PlaneScene take() { return scene_.take(); }
 
  private:
-  /// Where an element stands, for errors: "line 12: <rect id=floor>".
+  /// The place of an element, for errors: "line 12: <rect id=floor>".
   static std::string place_of(const XmlElement& element) {
     const std::string* id = element.attribute("id");
     return (element.line ? "line " + std::to_string(element.line) + ": <" : "<") + element.name +
            (id ? " id=" + quoted(std::string_view(*id)) : std::string()) + ">";
   }
 
-  /// Calls `f` with the value of an attribute; what it refuses is refused by the attribute's name.
+  /// Calls `f` with the value of an attribute; errors of it get the attribute's name.
   template <class F>
   static void with(const XmlElement& element, const char* name, const F& f) {
     const std::string* value = element.attribute(name);
@@ -105,7 +104,7 @@ class SvgReader {
     return false;
   }
 
-  /// The attributes that an element adds to what it was handed down.
+  /// Adds the attributes of an element to those that it was handed down.
   static void add_attributes(const XmlElement& element, Context& context) {
     with(element, "transform", [&](std::string_view text) { context.map = context.map * read_transform(text); });
     PlaneSceneBuilder::Role& role = context.role;
@@ -140,7 +139,8 @@ class SvgReader {
     });
   }
 
-  /// Of a body that is played. Velocities are in the frame of the element, a turning as that of `rotate`.
+  /// Adds the physics of a body that is played. Velocities are in the frame of the element, a turning as that of
+  /// `rotate`.
   static void add_physics(const XmlElement& element, Context& context) {
     PlaneMotion& motion = context.role.physics;
     with(element, "data-velocity",
@@ -172,7 +172,7 @@ class SvgReader {
       const std::string& name = element.name;
       const bool group = name == "svg" || name == "g" || name == "a" || name == "switch";
       if (!group && !is_shape(name)) {
-        // What is drawn and no shape is named; what only describes is not.
+        // Elements that are drawn and no shapes are named; those that only describe are not.
         static const std::set<std::string> drawn{"text", "image", "use", "foreignObject"};
         if (drawn.count(name)) skipped_.insert(name);
         return;
@@ -206,7 +206,7 @@ class SvgReader {
       with(element, "d", [&](std::string_view text) { paths = read_path(text, context.map, context.tolerance); });
       std::size_t closed = 0;
       for (const Subpath& p : paths) closed += p.closed;
-      // Whether one outline is a hole in another is for the fill rule to say, and holes are not read.
+      // The fill rule would decide whether one outline is a hole in another, and holes are not read.
       if (closed > 1 && solid)
         throw InvalidValue("d", "one closed outline (a path each, or data-solid=\"false\")", std::to_string(closed));
       for (const Subpath& p : paths) add_points(element, p, context, margin, solid);
@@ -271,7 +271,7 @@ class SvgReader {
     put(element, context, {plane::Ellipse<double>({radii.longer, radii.shorter}), margin}, pose);
   }
 
-  /// A closed outline as a solid polygon or a closed chain, an open one as a chain; two points as a segment.
+  /// Adds a closed outline as a solid polygon or a closed chain, an open one as a chain; two points as a segment.
   void add_points(const XmlElement& element, Subpath path, const Context& context, double margin, bool solid) {
     std::vector<Vec2d>& points = path.points;
     const auto repeats = [](const Vec2d& p, const Vec2d& q) { return p == q; };

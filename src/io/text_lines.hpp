@@ -1,4 +1,4 @@
-// The lines of a text and the words in them, for formats that are told line by line.
+// The lines of a text and the words in them, for formats that are written line by line.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ using Words = std::vector<std::string_view>;
 
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Text as it appears in an error: in quotes, shortened when long, without what no terminal shows.
+/// Text for an error: in quotes, shortened when long, without characters that no terminal shows.
 std::string quoted(std::string_view text);
 
-/// The number that a whole word is, infinite or not a number included; or nothing.
+/// The number that a whole word is, infinities and NaN included; or nothing.
 std::optional<double> number_in(std::string_view word);
 
 class TextLines {
@@ -25,7 +25,7 @@ class TextLines {
 
   /// Goes on to the next line, which ends with \n or \r\n; false at the end.
   bool next();
-  /// Lines that end with a backslash go on in the next.
+  /// Goes on to the next line, joined with those after it where a line ends with a backslash.
   bool next_joined();
 
   Words words() const;

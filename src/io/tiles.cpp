@@ -53,7 +53,7 @@ std::vector<ScenePart> tiles_of(const std::string& bytes, const std::filesystem:
   return tiles;
 }
 
-/// Stands all of a scene elsewhere.
+/// Moves all of a scene by a pose.
 void place(Scene& scene, const Posed& pose) {
   for (Body& body : scene.bodies) {
     body.pose = compose(pose, body.pose);

@@ -12,7 +12,7 @@ void write_points(const std::vector<TraceSupport>& points, JsonWriter& out) {
   out.close(']');
 }
 
-/// A length that may have no end, as a half-space reaches down: no number of JSON says that, "infinity" does.
+/// Writes a length that may have no end, as the reach of a half-space: JSON has no such number, so it is "infinity".
 void write_length(double length, JsonWriter& out) {
   std::isfinite(length) ? out.number(length) : out.raw(length < 0 ? R"("-infinity")" : R"("infinity")");
 }
@@ -55,7 +55,7 @@ void write_outline(const std::vector<Vec3d>& outline, JsonWriter& out) {
   out.close(']');
 }
 
-/// The faces that contacts stand on, and how they are laid over each other.
+/// Writes the faces that contacts stand on, and the clipping of one by the other.
 void write_faces(const Trace& trace, JsonWriter& out) {
   out.key("faces").open('{');
   write_outline(trace.face_a, out.key("a"));
@@ -69,7 +69,7 @@ void write_faces(const Trace& trace, JsonWriter& out) {
   out.close(']');
 }
 
-/// Boxes and pieces of a composite that a ray came upon.
+/// Writes the numbers of boxes and pieces of a composite that a ray came upon.
 void write_visits(const Trace& trace, JsonWriter& out) {
   if (trace.nodes == 0 && trace.pieces == 0) return;
   out.key("nodes").number(static_cast<double>(trace.nodes)).key("pieces").number(static_cast<double>(trace.pieces));

@@ -1,4 +1,4 @@
-// The member "trace" of an answer: what was done, as JSON.
+// The member "trace" of an answer: the steps of the query, as JSON.
 #pragma once
 
 #include "graze/trace.hpp"

@@ -14,7 +14,7 @@ std::string local(const char* qualified) {
   return std::string(colon == std::string_view::npos ? name : name.substr(colon + 1));
 }
 
-/// As deep as the parser goes.
+/// An element with all those inside it, which are no deeper than the parser goes.
 XmlElement element_of(const tinyxml2::XMLElement& from) {
   XmlElement made{local(from.Name()), static_cast<std::size_t>(from.GetLineNum()), {}, {}};
   for (const tinyxml2::XMLAttribute* a = from.FirstAttribute(); a; a = a->Next())

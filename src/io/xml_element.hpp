@@ -1,4 +1,4 @@
-// XML as a tree of elements: what a reader of drawings sees, whoever parsed it.
+// XML as a tree of elements, as a reader of drawings needs it, whatever parser made it.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace graze::io {
 
-/// Elements are nested no deeper, so that functions may call themselves for those inside.
+/// The deepest nesting of elements, so that functions may call themselves for those inside.
 inline constexpr int most_xml_depth = 100;
 
 struct XmlElement {
   std::string name;      ///< without the prefix of its namespace
-  std::size_t line = 0;  ///< of its beginning, counted from 1; 0 where nobody knows
+  std::size_t line = 0;  ///< of its beginning, counted from 1; 0 where it is not known
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
 
@@ -25,8 +25,8 @@ struct XmlElement {
   }
 };
 
-/// The root element of a document. Throws `InvalidValue` with the line for what is no XML, or nested too deep. Expands
-/// no entities but the five of XML itself.
+/// The root element of a document. Throws `InvalidValue` with the line for a text that is no XML, or nested too deep.
+/// Expands no entities but the five of XML itself.
 XmlElement read_xml(const std::string& bytes);
 
 }  // namespace graze::io
