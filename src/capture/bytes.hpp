@@ -1,7 +1,7 @@
 // Values as bytes of a capture, and back: one list of fields a type serves both ways.
 //
-// Guarantee: numbers as their bits, the least significant byte first; what is read was within the bytes there, or
-// `Damaged` is thrown. No count is believed before so many bytes are there.
+// Guarantee: numbers as their bits, the least significant byte first; values that were read lay within the bytes there,
+// or `Damaged` is thrown. No count is trusted before so many bytes are there.
 #pragma once
 
 #include <bit>
@@ -54,7 +54,7 @@ class Reading {
   explicit Reading(std::string_view bytes) : left_(bytes) {}
 
   std::size_t left() const { return left_.size(); }
-  /// The next `count` bytes, of as many as are left at most.
+  /// Takes the next `count` bytes, or as many as are left.
   std::string_view take(std::size_t count) {
     const std::string_view taken = left_.substr(0, count);
     left_.remove_prefix(taken.size());
@@ -97,7 +97,7 @@ class Reading {
   std::string_view left_;
 };
 
-/// A count and so many values, each of at least `least_bytes`.
+/// Writes a count and so many values, each of at least `least_bytes`.
 template <class V>
 void fields(Writing& io, std::vector<V>& values, std::size_t) {
   io(std::uint64_t{values.size()});
@@ -112,7 +112,7 @@ void fields(Reading& io, std::vector<V>& values, std::size_t least_bytes) {
   for (V& value : values) io(value);
 }
 
-/// A count and so many bytes.
+/// Writes a count and so many bytes.
 inline void fields(Writing& io, std::string& text) {
   io(std::uint64_t{text.size()});
   io.bytes += text;
@@ -207,7 +207,7 @@ void fields(Io& io, SimulationSettings<T, Space>& s) {
   io(s.gravity, s.sub_steps, s.most_sub_steps, s.sleep, s.continuous, s.longest_step);
 }
 
-/// All but the last word on pairs, which is a function.
+/// The settings but for the callback that decides about pairs, which is a function.
 template <class Io, class T>
 void fields(Io& io, WorldSettings<T>& s) {
   io(s.margin);
@@ -215,7 +215,7 @@ void fields(Io& io, WorldSettings<T>& s) {
   io(points);
   if (points != 0) s.points_per_pair = static_cast<std::size_t>(points);
 }
-/// All but its shape.
+/// A body but for its shape.
 template <class Io, class T, class Space>
 void fields(Io& io, Body<T, Space>& b) {
   io(b.pose, b.linear, b.angular, b.filter, b.fixed, b.trigger, b.fast);

@@ -25,7 +25,7 @@ class CaptureWriter {
   }
   CaptureWriter(const CaptureWriter&) = delete;
   CaptureWriter& operator=(const CaptureWriter&) = delete;
-  /// What came behind the last frame is written without its end. A stream that takes no more has said so before.
+  /// Writes the calls behind the last frame, without its end. A stream that takes no more has reported so before.
   ~CaptureWriter() {
     try {
       if (!frame_.bytes.empty()) write();

@@ -10,7 +10,8 @@ namespace graze::capture {
 
 namespace {
 
-/// The end of a line in two ways: what changes these on the way has changed the rest too.
+/// The first bytes of a capture. They hold the end of a line in two forms: a transfer that changes these
+/// has changed the rest too.
 constexpr std::string_view magic{"graze capture\r\n\n", 16};
 
 std::uint64_t checksum(std::string_view bytes) {

@@ -1,4 +1,4 @@
-// The frames of a capture: blocks of bytes with their length and a checksum, and what is compared at the end of each.
+// The frames of a capture: blocks of bytes with their length and a checksum, and the results compared at each end.
 //
 // Guarantee: a block that was read is the one that was written, or is reported as damaged or cut.
 #pragma once
@@ -12,8 +12,8 @@
 
 namespace graze::capture {
 
-/// Changes with every change of the format. A reader knows its own version and those before it from the oldest on:
-/// 3 has names of bodies, which 2 has not, and is the same otherwise.
+/// The version of the format. A reader takes its own version and those before it from the oldest on: 3 has names of
+/// bodies, which 2 has not, and is the same otherwise.
 inline constexpr std::uint16_t version = 3, oldest_version = 2;
 
 enum class Kind : std::uint8_t { world, simulation, plane_world, plane_simulation };
@@ -26,12 +26,12 @@ constexpr Kind kind_of(bool simulation) {
   return simulation ? Kind::simulation : Kind::world;
 }
 
-/// What stands in a frame, in the order of numbers in the file.
+/// The calls in a frame, in the order of their numbers in the file.
 enum class Call : std::uint8_t {
   shape,  ///< the next number for a shape
   add_body,
   remove_body,
-  // Of a simulation.
+  // Calls of a simulation.
   add_joint,
   remove_joint,
   apply_impulse,
@@ -47,7 +47,7 @@ enum class Call : std::uint8_t {
   save,
   restore,
   step,  ///< ends a frame
-  // Of a world.
+  // Calls of a world.
   move,
   move_with_velocity,
   set_shape,
@@ -55,15 +55,15 @@ enum class Call : std::uint8_t {
   set_fast,
   update,        ///< ends a frame
   find_impacts,  ///< ends a frame
-  // Of both.
+  // Calls of either.
   set_name  ///< since version 3
 };
-/// How many calls a version of the format knows.
+/// The number of different calls in a version of the format.
 constexpr std::size_t call_count(std::uint16_t of = version) { return of == 2 ? 25 : 26; }
-/// "add", "step": as the method is called.
+/// The name of the method: "add", "step".
 const char* name_of(Call call);
 
-/// What came out of a frame, part by part, so that a difference has a name.
+/// The results of a frame, part by part, so that a difference has a name.
 struct Outcome {
   std::uint64_t poses = 0, velocities = 0, contacts = 0, impulses = 0, events = 0, impacts = 0;
 };
@@ -73,12 +73,12 @@ void fields(Io& io, Outcome& o) {
 }
 template <class T, class Space>
 Outcome outcome_of(const World<T, Space>& world);
-/// "other poses", the first part that differs; null for equal ones.
+/// The first part that differs, as "other poses"; null for equal ones.
 const char* difference(const Outcome& then, const Outcome& now);
 
-/// Puts each frame into the stream and through to where it leads; none for no stream.
+/// A sink that writes each frame to the stream and flushes it; none for no stream.
 CaptureSink sink_into(std::ostream* out);
-/// Writes what comes before all frames, and frames. Throws `InvalidValue` when the sink takes no more.
+/// Write the head before all frames, and a frame. Throw `InvalidValue` when the sink takes no more.
 void write_head(const CaptureSink& sink, Kind kind, bool single);
 void write_frame(const CaptureSink& sink, std::string_view bytes);
 
@@ -91,12 +91,12 @@ struct Head {
 /// Reads a stream frame by frame.
 class FrameReader {
  public:
-  /// Writes up to so many bytes to a place, and returns how many: fewer at the end alone.
+  /// Writes up to `count` bytes to a place, and returns how many: fewer at the end alone.
   using Source = std::function<std::size_t(char* to, std::size_t count)>;
 
   FrameReader(Source source, std::string name) : source_(std::move(source)), name_(std::move(name)) {}
 
-  /// Throws `InvalidValue` for what is no capture, or of another version.
+  /// Reads the head. Throws `InvalidValue` for a stream that is no capture, or of another version.
   Head head();
   /// The next frame; none at the end. Throws `InvalidValue` for one that is damaged.
   std::optional<std::string> next();
@@ -106,7 +106,7 @@ class FrameReader {
   [[noreturn]] void fail(const std::string& why) const;
 
  private:
-  /// So many bytes, or fewer at the end. Memory grows with what is there, whatever the count says.
+  /// The next `count` bytes, or fewer at the end. Memory grows with the bytes that are there, whatever the count is.
   std::string take(std::uint64_t count);
 
   Source source_;

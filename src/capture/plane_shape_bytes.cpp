@@ -1,4 +1,4 @@
-// Shapes of the plane.
+// Shapes of the plane as bytes of a capture.
 #include "capture/shape_reading.hpp"
 
 namespace graze::plane {

@@ -1,6 +1,6 @@
 // A capture of one scalar played again.
 //
-// Guarantee: that of `graze::replay`; who plays one scalar needs the code of no other.
+// Guarantee: that of `graze::replay`; a program that plays one scalar needs the code of no other.
 #pragma once
 
 #include "capture/frames.hpp"

@@ -15,7 +15,7 @@ using capture::Reading;
 
 namespace {
 
-/// Something else than in the run that was captured.
+/// A difference from the run that was captured.
 struct Other {
   std::string what;
 };
@@ -76,14 +76,14 @@ class Player {
     if (const char* what = capture::difference(read<Outcome>(), capture::outcome_of(world))) throw Other{what};
   }
 
-  /// Says what a body is called from here on.
+  /// Gives a body its name from here on.
   void name(const World<T, Space>& world, BodyNames& names) {
     const auto id = read<BodyId>();
     auto name = read<std::string>();
     if (!world.bodies().contains(id)) throw Other{"no such body"};
     names.set(id, std::move(name));
   }
-  /// The body that the call read last is about.
+  /// The body of the call that was read last.
   std::optional<BodyId> about() const { return body_; }
 
  private:
@@ -195,7 +195,7 @@ void make(Call call, Player<T, Space>& from, World<T, Space>& w, CapturedStates<
   }
 }
 
-/// Settings that a constructor refuses were not those of a run.
+/// Plays the frames of a capture. Settings that a constructor refuses were not those of a run.
 template <class T, class Space, class Played, class Settings>
 void play_frames(capture::FrameReader& frames, std::uint16_t version, ReplayReport& report, Executor* executor,
                  const ReplayFunction& each) {

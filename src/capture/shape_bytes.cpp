@@ -1,4 +1,4 @@
-// Shapes of space.
+// Shapes of space as bytes of a capture.
 #include "capture/shape_reading.hpp"
 
 namespace graze::capture {

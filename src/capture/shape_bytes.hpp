@@ -1,7 +1,8 @@
 // Shapes as bytes of a capture.
 //
-// Guarantee: a shape that was read has the numbers of the one that was written; of a convex hull those of its vertices,
-// and of an outline of the plane those of its corners, from which it is built anew. Throws `Damaged` for bytes that are no shape, and what the shapes' constructors throw.
+// Guarantee: a shape that was read has the numbers of the one that was written; a convex hull those of its vertices,
+// and an outline of the plane those of its corners, from which it is built anew. Throws `Damaged` for bytes that are no
+// shape, and the errors of the shapes' constructors.
 #pragma once
 
 #include "capture/bytes.hpp"
@@ -9,11 +10,11 @@
 
 namespace graze::capture {
 
-/// Compounds within compounds, at most.
+/// The most levels of compounds within compounds.
 inline constexpr int deepest_compound = 32;
 
-/// Throws `InvalidValue` for a user's shape, whose support function no file can hold. `AnyShape` is a shape of space or
-/// of the plane.
+/// Writes a shape of space or of the plane (`AnyShape`). Throws `InvalidValue` for a user's shape, whose support
+/// function no file can hold.
 template <class AnyShape>
 void write_shape(Writing& io, const AnyShape& shape);
 

@@ -1,4 +1,4 @@
-// What readers of shapes share: numbers, lists, compounds, and the choice of the kind.
+// The parts that readers of shapes share: numbers, lists, compounds, and the choice of the kind.
 #pragma once
 
 #include <variant>

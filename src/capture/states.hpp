@@ -1,4 +1,4 @@
-// The states that a captured simulation was told to keep.
+// The states that a captured simulation keeps.
 #pragma once
 
 #include <array>
