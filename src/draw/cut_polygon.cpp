@@ -34,7 +34,7 @@ class EarCutter {
   void cut(std::vector<Mesh<double>::Index>& triangles) {
     std::size_t at = 1;
     for (std::size_t left = loop_.size(); left >= 3; --left) {
-      // Where none is left the rest has no area or crosses itself, and any corner does.
+      // The rest has no area or crosses itself where no ear is left, and any corner does.
       for (std::size_t tried = 0; tried < left && !ears_[at]; ++tried) at = corners_[at].after;
       const auto [x, y, before, after] = corners_[at];
       triangles.push_back({loop_[before], loop_[at], loop_[after]});

@@ -1,4 +1,4 @@
-// What a renderer does by itself with what it has no better way for, and the colours that pictures have.
+// The default ways of a renderer to draw, and the colours of pictures.
 #include "draw/cut_polygon.hpp"
 #include "graze/draw.hpp"
 

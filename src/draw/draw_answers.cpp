@@ -1,4 +1,4 @@
-// Shapes and the answers of queries.
+// The drawing of shapes and of the answers of queries.
 #include <algorithm>
 
 #include "draw/in_space.hpp"
@@ -26,7 +26,7 @@ void draw_distance(DebugDraw& on, const AnyDistance& d) {
   on.point(b, DrawLayer::distances, DrawMeaning::b);
 }
 
-/// A hit of a ray or of what moves.
+/// Draws a hit of a ray or of a moving body.
 template <class AnyHit>
 void draw_hit(DebugDraw& on, const AnyHit& hit, DrawLayer layer) {
   on.point(in_space(hit.point), layer, DrawMeaning::contact);
@@ -48,7 +48,7 @@ void draw_ray(DebugDraw& on, const AnyRay& ray, T length, const std::optional<An
   on.arrow(end, way, DrawLayer::rays, DrawMeaning::path);
 }
 
-/// A turn is drawn by so many copies, a translation by a few; more would hide each other.
+/// The number of copies that show a turn, and the fewest and the most of a motion; more would hide each other.
 constexpr double copies_a_turn = 12, fewest_copies = 4, most_copies = 24;
 
 template <class T>

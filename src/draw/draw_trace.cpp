@@ -1,4 +1,4 @@
-// What a query did.
+// The drawing of a query's steps.
 #include <algorithm>
 
 #include "graze/draw.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr DrawLayer layer = DrawLayer::trace;
 
-/// Intervals lie this far beside each other, in parts of the area.
+/// The distance between intervals that are drawn beside each other, in parts of the area.
 constexpr double beside = 1.0 / 60;
 
 void draw_axis(DebugDraw& on, const TraceAxis& axis, bool winner) {
@@ -17,7 +17,7 @@ void draw_axis(DebugDraw& on, const TraceAxis& axis, bool winner) {
   const Vec3d foot = on.area().center - along * dot(along, on.area().center);
   const Vec3d aside = any_perpendicular(along) * (on.area().size * beside);
   const auto interval = [&](double lower, double upper, const Vec3d& at, DrawMeaning meaning) {
-    // A half-space's has no end.
+    // The interval of a half-space has no end.
     const double near = dot(along, on.area().center) - on.area().size;
     const double from = std::max(lower, near), to = std::min(upper, near + 2 * on.area().size);
     if (from <= to) on.line(at + along * from, at + along * to, layer, meaning);

@@ -1,4 +1,4 @@
-// Worlds, simulations and what they are made of: bodies, bounds, contacts, joints, trees.
+// The drawing of worlds, simulations and their parts: bodies, bounds, contacts, joints, trees.
 #include "draw/points.hpp"
 #include "graze/draw.hpp"
 
@@ -34,7 +34,7 @@ void draw_contacts(DebugDraw& on, const World<T, Space>& world) {
       draw_points(on, manifold.normal, contacts.points_of(manifold));
 }
 
-/// `asleep(i)` tells whether a body that touches something rests on it.
+/// Draws the bodies. `asleep(i)`: whether a body that touches something rests on it.
 template <class T, class Space, class Poses, class Asleep>
 void draw_bodies(DebugDraw& on, const World<T, Space>& world, const Poses& poses, const Asleep& asleep) {
   const auto& bodies = world.bodies();

@@ -1,6 +1,6 @@
 // Places of space and of the plane as a renderer takes them.
 //
-// Guarantee: exact; what lies in the plane has z = 0.
+// Guarantee: exact; places of the plane have z = 0.
 #pragma once
 
 #include "graze/plane/vec2.hpp"

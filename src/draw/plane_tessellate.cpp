@@ -25,7 +25,7 @@ void add_loop(const std::vector<Vec2d>& loop, const Pose2d& pose, Polygons& out)
   }
 }
 
-/// Around a rounded core by directions: those of an arc, and both ends of an edge along its own.
+/// The outline around a rounded core, by directions: those of an arc, and both ends of an edge along its own.
 template <class T>
 std::vector<Vec2d> around(const Core<T>& core) {
   if (core.kind == CoreKind::polygon && core.radius == 0) {
@@ -64,7 +64,7 @@ void add_half_plane(double top, const Pose2d& pose, const Vec3d& center, double 
            pose, out);
 }
 
-/// A solid polygon without rounding as it was given, without its cuts.
+/// Adds a solid polygon without rounding as it was given, without its cuts.
 template <class T>
 void add_outline(const plane::Pieces<T>& pieces, const Pose2d& pose, Polygons& out) {
   std::vector<Vec2d> loop;
