@@ -1,9 +1,9 @@
 // Bodies that stand close together, block by block, each with all others whose boxes its own ones overlap.
 //
-// Guarantee: every body that is asked for is at home in one block, once. Of two such bodies whose boxes overlap, that
-// of the smaller size class, or of two of one class either, has the other one beside it. What is held besides an index
-// a body is in proportion to one block and the borders of those that it was cut out of, whatever the sizes of the
-// bodies: large ones have blocks of their own, beside which small ones do not stand.
+// Guarantee: every body of `moving` is at home in one block, once. Of two such bodies whose boxes overlap, that of the
+// smaller size class, or of two of one class either, has the other one beside it. Memory besides an index a body is in
+// proportion to one block and the borders of those that it was cut out of, whatever the sizes of the bodies: large ones
+// have blocks of their own, beside which small ones do not stand.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace graze::mpi {
 
-/// Bodies of one class are of about one size: the longest sides of their boxes are within a factor of four. What has no
+/// The class of a body's size: the longest sides of the boxes of one class are within a factor of four. A body without
 /// end is in the last class.
 template <class T>
 int size_class(const Aabb<T>& box) {
@@ -30,7 +30,7 @@ int size_class(const Aabb<T>& box) {
 template <class T>
 class Blocks {
  public:
-  /// Of about `most` bodies, those beside them included.
+  /// Blocks of about `most` bodies, those beside them included.
   Blocks(std::span<const Aabb<T>> boxes, std::size_t most) : boxes_(boxes), most_(most) {}
 
   /// Calls `f(home, beside)` for all blocks; both are places in the boxes, in any order. At home are those of `moving`;
@@ -53,8 +53,8 @@ class Blocks {
   }
 
  private:
-  /// Halves that have hardly fewer bodies beside them than the whole, where much overlaps everything, are of no use: to
-  /// cut on would only find the same bodies again and again.
+  /// The least gain of a cut, as a part of the bodies. Halves that have hardly fewer bodies beside them than the whole,
+  /// where much overlaps everything, are of no use: cutting on would only find the same bodies again and again.
   static constexpr std::size_t least_gain = 8;
 
   Aabb<T> bounds_of(std::span<const std::uint32_t> some) const {
@@ -74,7 +74,7 @@ class Blocks {
     const Vec3<T> e = bounds_of(home).extent();
     const std::size_t axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
     const auto middle = home.begin() + static_cast<std::ptrdiff_t>(home.size() / 2);
-    // By lower corners: sums of both could be no numbers.
+    // Bodies are divided by lower corners, as sums of both corners may overflow.
     std::nth_element(home.begin(), middle, home.end(), [&](std::uint32_t i, std::uint32_t j) {
       return std::pair(boxes_[i].lower[axis], i) < std::pair(boxes_[j].lower[axis], j);
     });

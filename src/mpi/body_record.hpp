@@ -1,7 +1,7 @@
-// A body as it goes from rank to rank.
+// A body on its way from rank to rank.
 //
-// Guarantee: what arrives has the same bits. Shapes that are plain values go as they are; those with data of their own,
-// or with a user's code, go as the number by which all ranks share them.
+// Guarantee: a body arrives with the same bits. Shapes that are plain values are sent as they are; shapes with data of
+// their own, or with a user's code, are sent as the number by which all ranks share them.
 #pragma once
 
 #include <cstddef>
@@ -44,11 +44,11 @@ struct BodyRecord {
   std::uint32_t type;    ///< place in `ShapeList`
   std::uint8_t fixed, trigger, fast;
   std::uint8_t reshaped;  ///< since the last update
-  std::uint8_t near;      ///< only near the region: gets a place there, so that it finds one when it comes
+  std::uint8_t near;      ///< only near the region: gets a place there, for the time when it comes
   alignas(16) std::byte value[largest_value<T>(std::make_index_sequence<Shape<T>::count>())];
 };
 
-/// The shapes that ranks know by number: those that all of them hold, and those that each gets where it needs them.
+/// The shapes that ranks share by number: some that all of them hold, and some that each rank gets where it needs them.
 template <class T>
 class SharedShapes {
  public:
@@ -58,7 +58,7 @@ class SharedShapes {
   void set_source(Source source) { source_ = std::move(source); }
   std::uint64_t added() const { return added_; }
 
-  /// Throws `InvalidValue` for a number that no shape has, and what the source throws.
+  /// The shape of a number. Throws `InvalidValue` for a number that no shape has, and the errors of the source.
   const Shape<T>& operator[](std::uint64_t number) {
     const auto found = shapes_.find(number);
     if (found != shapes_.end()) return found->second;
@@ -78,7 +78,7 @@ class SharedShapes {
 
   static Name name_of(const Shape<T>& shape) { return {shape.index(), data_of(shape), shape.rounding()}; }
 
-  /// Of shapes that are the same the first gives the number.
+  /// Keeps a shape. The first of several that are the same gives the number.
   const Shape<T>& keep(std::uint64_t number, const Shape<T>& shape) {
     numbers_.emplace(name_of(shape), number);
     return shapes_.emplace(number, shape).first->second;

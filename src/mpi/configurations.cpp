@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t numbers_of_pose = 7;
 
-/// A pose as a file has it; nothing for one that no body could have.
+/// A pose from the bytes of a file; nothing for one that no body could have.
 template <class T>
 std::optional<Pose<T>> pose_of(const char* bytes) {
   double n[numbers_of_pose];
@@ -28,7 +28,7 @@ std::optional<Pose<T>> pose_of(const char* bytes) {
   }
 }
 
-/// The chain, the scene and the limit, by which a journal knows them: kinds, bounds and places.
+/// The chain, the scene and the limit as words by which a journal identifies them: kinds, bounds and places.
 template <class T>
 std::string words_of_all(const Chain<T>& chain, const World<T>& scene, T limit) {
   std::string links, bodies;

@@ -1,8 +1,7 @@
 // Steps that ranks take together: each its own part, then messages from every rank to every other.
 //
-// Guarantee: no rank waits for one that has failed. What a rank's own part throws, and what came for it and does not
-// fit into its memory, is an error of the next exchange on every rank. Messages may have any length, and most have
-// none.
+// Guarantee: no rank waits for one that has failed. An error in a rank's own part, and messages for it that do not fit
+// into its memory, are an error of the next exchange on every rank. Messages may have any length, and most have none.
 #pragma once
 
 #include <cstring>
@@ -34,7 +33,7 @@ class Together {
     return ByRank<E>(static_cast<std::size_t>(size_of(comm_)));
   }
 
-  /// Does this rank's part of a step; nothing after one that has failed.
+  /// Runs this rank's part of a step; nothing after one that has failed.
   template <class F>
   void alone(F&& part) {
     if (!fault_.empty()) return;
@@ -52,12 +51,13 @@ class Together {
   /// Throws `CommonError` on every rank when a part of any has failed. All ranks.
   void meet() { agree(comm_, fault_); }
 
-  /// Sends `to[r]` to rank r; returns what came. What goes to the own rank is not sent. Throws as `meet`. All ranks.
+  /// Sends `to[r]` to rank r; returns the messages that came. Those to the own rank are not sent. Throws as `meet`. All
+  /// ranks.
   template <class E>
   ByRank<E> exchange(ByRank<E>& to);
 
  private:
-  /// Of all threads of the process.
+  /// The seconds of all threads of the process.
   static double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
   MPI_Comm comm_;

@@ -1,4 +1,4 @@
-// Files as a sweep needs them: read and written at an offset by name, where a failure is an error with the name in it.
+// Files of a sweep: read and written at an offset by name, where a failure is an error with the name in it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ class File {
  public:
   File() = default;
   static File reading(const std::string& name);
-  /// Made anew where it is not there; nothing in it is lost.
+  /// Opens a file to write to, which is made where it is not there; nothing in it is lost.
   static File writing(const std::string& name);
   File(File&& other) noexcept;
   File& operator=(File&& other) noexcept;

@@ -72,7 +72,7 @@ void remove_parts(const std::string& directory) {
   for (const std::uint64_t part : parts_in(directory)) fs::remove(Journal::part_name(directory, part));
 }
 
-/// Processes of a run that was ended a moment ago may still hold the journal.
+/// Locks the file, with some patience: processes of a run that was ended a moment ago may still hold the journal.
 bool locked_soon(const File& file) {
   constexpr int tries = 50;
   for (int i = 0; i < tries; ++i) {
@@ -94,7 +94,8 @@ std::string Journal::part_name(const std::string& directory, std::uint64_t part)
   return directory + "/part-" + std::to_string(part >> 32) + "-" + std::to_string(part & 0xffffffff);
 }
 
-/// A head that is not whole is that of a run which was killed before anything was answered: it is written anew.
+/// Opens a journal. A head that is not whole is that of a run which was killed before anything was answered: it is
+/// written anew.
 Journal Journal::open(const std::string& directory, const std::string& head) {
   Journal journal;
   journal.directory_ = directory;

@@ -1,6 +1,6 @@
-// The journal of a sweep: a directory with a head, which says of what sweep it is, and the answers that are there.
+// The journal of a sweep: a directory with a head, which identifies the sweep, and the answers that are there.
 //
-// Guarantee: what was written when a process was killed is found again, except for a last record that is not whole:
+// Guarantee: all that was written when a process was killed is found again, except for a last record that is not whole:
 // that one is recognised by its checksums and its chunk answered anew. Every rank of every run writes a file of its
 // own, so that nothing is ever written behind a torn end.
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace graze::mpi {
 
-/// FNV-1a (Fowler, Noll, Vo 1991) of 64 bits.
+/// The checksum FNV-1a (Fowler, Noll, Vo 1991) of 64 bits.
 std::uint64_t checksum(std::string_view bytes);
 
 /// The answers to a chunk: their number, and where they stand.
@@ -29,14 +29,14 @@ class Journal {
  public:
   Journal() = default;
   /// Opens or makes the journal of the sweep that `head` describes, on one rank. Throws `InvalidValue` for a journal of
-  /// another sweep or one that is in use, and `std::system_error` for what cannot be read or written.
+  /// another sweep or one that is in use, and `std::system_error` where reading or writing fails.
   static Journal open(const std::string& directory, const std::string& head);
 
   /// All that is known from earlier runs, in no order.
   const std::vector<Record>& known() const { return known_; }
   /// The number of this run, which no earlier one had.
   std::uint64_t run() const { return run_; }
-  /// Removes the journal, the head first: what is left when this is interrupted is of no sweep, and goes with the next.
+  /// Removes the journal, the head first: a rest after an interruption is of no sweep, and goes with the next one.
   void remove();
 
   static std::string part_name(const std::string& directory, std::uint64_t part);
@@ -54,7 +54,7 @@ class JournalPart {
  public:
   JournalPart() = default;
   JournalPart(const std::string& directory, std::uint64_t part);
-  /// Writes a record down; where its text stands is put into it.
+  /// Appends a record and sets in it where its text stands.
   void append(Record& record, std::string_view text);
 
  private:

@@ -18,14 +18,14 @@ struct Hash {
 
 }  // namespace
 
-/// News of a pair that a rank tells: that it was found here and did not touch before, or touched and was not found.
+/// News of a pair from a rank: it was found here and did not touch before, or touched and was not found.
 struct KeyedEvents::Claim {
   Key a, b;
   std::uint8_t found;  ///< found now; else missed
   std::uint8_t overlap, trigger;
 };
 
-/// The events that this rank knows by itself, and what it has to ask of the judges of the others.
+/// Finds the events that this rank decides by itself, and its claims for the judges of all others.
 void KeyedEvents::find_claims(std::span<const KeyedPair> pairs, ByRank<Claim>& claims) {
   const auto judge = [&](Key a, Key b) -> auto& { return claims[Hash()(std::pair(a, b)) / 7 % claims.size()]; };
   std::swap(events_, last_);
@@ -48,7 +48,7 @@ void KeyedEvents::find_claims(std::span<const KeyedPair> pairs, ByRank<Claim>& c
     while (last != end && keys_of(*last) < std::pair(p.a, p.b)) miss(take());
     if (last != end && keys_of(*last) == std::pair(p.a, p.b))
       events_.push_back({p.a, p.b, EventKind::stay, take().trigger});
-    // A pair that was found here and does not touch was found by nobody else: this rank knows by itself.
+    // A pair that was found here and does not touch was found by no other rank: this one decides.
     else if (was_apart == apart_.end() || *was_apart != std::pair(p.a, p.b))
       judge(p.a, p.b).push_back({p.a, p.b, 1, p.overlap, p.trigger});
     else if (p.overlap)
@@ -67,7 +67,7 @@ void KeyedEvents::keep_apart(std::span<const KeyedPair> pairs) {
   }
 }
 
-/// The verdict goes to who found the pair, and on an end to who missed it.
+/// Sends the verdict to the rank that found the pair, and on an end to the one that missed it.
 void KeyedEvents::update(Together& together, std::span<const KeyedPair> pairs) {
   ByRank<Claim> claims = together.nothing<Claim>();
   together.alone([&] { find_claims(pairs, claims); });

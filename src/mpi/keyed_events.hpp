@@ -1,7 +1,7 @@
-// Who began to touch, still does, no longer does, of pairs that are found now by one rank and now by another.
+// Events of touching, for pairs that are found now by one rank and now by another: those that began, go on, or ended.
 //
-// Guarantee: as `EventTracker` of one world. Each rank remembers what it found; only what it misses, or had not, is
-// compared with the others', on a rank that the keys name.
+// Guarantee: the events of `EventTracker` in one world. Each rank keeps the pairs that it found; only pairs that it
+// misses, or did not have, are compared with those of others, on a rank that the keys name.
 #pragma once
 
 #include "graze/mpi/world.hpp"
@@ -11,7 +11,7 @@ namespace graze::mpi {
 
 class KeyedEvents {
  public:
-  /// `pairs` sorted. All ranks.
+  /// Finds the events of an update. `pairs` are sorted. All ranks.
   void update(Together& together, std::span<const KeyedPair> pairs);
 
   const std::vector<KeyedEvent>& events() const { return events_; }

@@ -1,5 +1,5 @@
-// A file of lines or of records in parts that are handed out: a function of the file alone, so that a journal can name
-// them by number.
+// A file of lines or of records in parts that are handed out. The parts depend on the file alone, so that a journal can
+// name them by number.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,15 @@ struct Chunk {
   std::uint64_t first_line = 1;          ///< counted from 1
 };
 
-/// Finds the chunks one after the other, so that the first is answered while the last was not looked for yet.
+/// Finds the chunks one after the other, so that the first is answered before the last has been looked for.
 class LineChunks {
  public:
-  /// A chunk ends with the first line with which it has so many lines or bytes: work of some milliseconds, beside which
-  /// a message costs nothing, and little to wait for at the end.
+  /// The lines and bytes with which a chunk ends, at the end of a line: work of some milliseconds, beside which a
+  /// message costs nothing, and little to wait for at the end.
   static constexpr std::uint64_t most_lines = 64, most_bytes = 1 << 16;
 
-  /// With `record_bytes` a "line" has so many bytes, whatever they are; the file has a multiple of them.
+  /// Begins with a file. With `record_bytes` a "line" has so many bytes, whatever they are; the file has a multiple of
+  /// them.
   explicit LineChunks(const File& file, std::uint64_t record_bytes = 0)
       : file_(file), size_(file.size()), record_bytes_(record_bytes) {}
 

@@ -23,7 +23,7 @@ inline int size_of(MPI_Comm comm) {
   return size;
 }
 
-/// MPI counts in int: what is longer goes in pieces of this many bytes.
+/// The bytes of a piece: MPI counts in int, so longer messages are sent in pieces.
 constexpr std::size_t largest_piece = std::size_t{1} << 30;
 
 /// Calls `f(offset, count)` for the pieces of so many bytes.
@@ -33,7 +33,7 @@ void each_piece(std::size_t bytes, F&& f) {
     f(begin, static_cast<int>(std::min(largest_piece, bytes - begin)));
 }
 
-/// Text of one rank to all.
+/// Sends a text of one rank to all.
 inline void broadcast(MPI_Comm comm, std::string& text, int from) {
   std::uint64_t size = text.size();
   MPI_Bcast(&size, 1, MPI_UINT64_T, from, comm);
@@ -42,7 +42,7 @@ inline void broadcast(MPI_Comm comm, std::string& text, int from) {
              [&](std::size_t begin, int count) { MPI_Bcast(text.data() + begin, count, MPI_BYTE, from, comm); });
 }
 
-/// Text to one rank, which knows its size.
+/// Sends a text to one rank, which has its size.
 inline void send(MPI_Comm comm, const std::string& text, int to, int tag) {
   each_piece(text.size(),
              [&](std::size_t begin, int count) { MPI_Send(text.data() + begin, count, MPI_BYTE, to, tag, comm); });
@@ -54,7 +54,7 @@ inline void receive(MPI_Comm comm, std::string& text, int from, int tag) {
   });
 }
 
-/// Waits between two looks, the longer the longer nothing came: MPI itself would keep a processor busy meanwhile.
+/// Waiting between two looks, the longer the longer nothing came: MPI itself would keep a processor busy meanwhile.
 class Patience {
  public:
   void wait() {

@@ -34,8 +34,8 @@ class OwnedBodies {
   const Entry* find(Key key) const { return const_cast<OwnedBodies*>(this)->find(key); }
   bool contains(Key key) const { return find(key) != nullptr; }
 
-  /// A key that is not here. Those that come in ascending order take their places at once, and others wait for theirs
-  /// only until they are many, because each holds more memory meanwhile.
+  /// Adds a body with a key that is not here. Bodies in ascending order take their places at once, and others wait for
+  /// theirs only until they are many, because each holds more memory meanwhile.
   void add(Key key, Body<T> body, float cost, bool reshaped) {
     if (came_.empty() && (settled_.empty() || settled_.back().key < key)) {
       if (settled_.size() == settled_.capacity()) settled_.reserve(roomy(settled_.size()));
@@ -45,17 +45,17 @@ class OwnedBodies {
     came_.emplace(key, Entry{key, std::move(body), cost, nowhere, false, reshaped});
     if (came_.size() > roomy(settled_.size()) - settled_.size()) settle();
   }
-  /// A key that is here.
+  /// Removes the body of a key that is here.
   void remove(Key key) {
     if (came_.erase(key) == 0) remove(*find(key));
   }
-  /// One of `settled`.
+  /// Removes one of `settled`.
   void remove(Entry& entry) {
     entry.gone = true;
     ++gone_;
   }
 
-  /// Puts those that came among the others, and takes out those that went.
+  /// Puts the bodies that came among the others, and takes out those that went.
   void settle() {
     if (gone_ > 0) std::erase_if(settled_, [](const Entry& e) { return e.gone; });
     gone_ = 0;
@@ -67,7 +67,7 @@ class OwnedBodies {
     std::inplace_merge(settled_.begin(), settled_.begin() + middle, settled_.end(),
                        [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
-  /// All that are here when nothing came or went since `settle`.
+  /// All bodies, where none came or went since `settle`.
   std::vector<Entry>& settled() { return settled_; }
 
   /// The first of `settled` that has this key or a larger one.
@@ -90,7 +90,7 @@ class OwnedBodies {
   std::size_t memory() const { return settled_.capacity() * sizeof(Entry) + came_.size() * (sizeof(Entry) + 48); }
 
  private:
-  /// An eighth more, where a vector would take twice as much.
+  /// Room for an eighth more, where a vector would take twice as much.
   static std::size_t roomy(std::size_t size) { return size + size / 8 + 1024; }
 
   std::vector<Entry> settled_;

@@ -10,19 +10,20 @@ namespace graze::mpi {
 namespace {
 
 /// The cost of a body in an update besides its pairs: the median of balls and boxes of a lattice. On a machine that is
-/// twice as slow pairs weigh twice as much; they stand where bodies do anyway.
+/// twice as slow pairs weigh twice as much; they are where bodies are anyway.
 constexpr double seconds_of_body = 50e-9;
-/// Seconds of a pair of a kind that was never measured: those of balls or of boxes.
+/// The seconds of a pair of a kind that was never measured: those of balls or of boxes.
 constexpr double seconds_of_usual_pair = 100e-9;
-/// A pair that is nothing beside a body, and one that is an update by itself: clocks that stand still or jump.
+/// The costs of a pair that is nothing beside a body, and of one that is an update by itself: bounds for clocks
+/// that stand still or jump.
 constexpr double least_cost = 0.1, most_cost = 1e6;
 
-/// Pairs that are measured of a kind: as many as a kernel takes at a time.
+/// The pairs of a kind that are measured: as many as a kernel takes at a time.
 constexpr std::size_t pairs_of_sample = 256;
 /// Updates after which a kind is measured anew: costs follow what bodies do, by and by.
 constexpr std::uint64_t updates_per_measurement = 64;
 
-/// Numbers of types in `ShapeList` are below this.
+/// A number above all numbers of types in `ShapeList`.
 constexpr std::size_t types = 32;
 static_assert(Shape<float>::count <= types);
 
@@ -54,7 +55,7 @@ struct Sample {
     std::sort(pairs.begin(), pairs.end());
   }
 
-  /// Seconds of a pair: the better of two times, since the first also fetches what was not used for long.
+  /// The seconds of a pair: the better of two times, since the first also fetches memory that was not used for long.
   double seconds() const {
     using Clock = std::chrono::steady_clock;
     double best = std::numeric_limits<double>::infinity();
@@ -84,7 +85,7 @@ PairCosts::Bodies PairCosts::kinds_of(const BodyArrays<T>& bodies, std::span<con
     const Kind kind = kind_of(bodies.shapes()[i]);
     auto found = std::find(out.kinds.begin(), out.kinds.end(), kind);
     if (found == out.kinds.end() && out.kinds.size() < none) found = out.kinds.insert(found, kind);
-    // There are not so many kinds; if there ever are, some are taken for the last one.
+    // Kinds beyond the largest number, if there ever are so many, count as the last one.
     out.of[i] = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(found - out.kinds.begin(), none - 1));
   };
   for (const IdPair& p : pairs) {

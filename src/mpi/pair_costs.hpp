@@ -1,8 +1,8 @@
 // Costs of the contacts of a pair beside those of a body, kind of pair by kind of pair, as measured.
 //
-// Guarantee: all ranks reckon with the same costs, once they are shared. A sample of the pairs of a kind is timed by
+// Guarantee: all ranks compute with the same costs, once they are shared. A sample of the pairs of a kind is timed by
 // itself, and the median of ranks taken: seconds of one and the same update differ by a tenth and more between ranks of
-// a machine that does other things besides, and borders drawn by them would go to and fro. How many pairs there are is
+// a machine that does other things besides, and borders drawn by them would go to and fro. The number of pairs is
 // counted.
 #pragma once
 
@@ -20,10 +20,11 @@ namespace graze::mpi {
 
 class PairCosts {
  public:
-  /// Shapes whose contacts cost about the same: of one type, and hulls within a factor of two of corners.
+  /// The kind of a shape, for shapes whose contacts cost about the same: of one type, and hulls within a
+  /// factor of two of corners.
   using Kind = std::uint16_t;
 
-  /// Without measurements all pairs cost the same.
+  /// `measures`: whether costs are measured; else all pairs cost the same.
   explicit PairCosts(bool measures) : measures_(measures) {}
 
   /// Calls `charge(pair, cost)` for each pair, the cost in units of a body's.
@@ -46,10 +47,10 @@ class PairCosts {
   void measure(const BodyArrays<T>& bodies, std::span<const IdPair> pairs) {
     if (measures_ && due_) measure(bodies, pairs, kinds_of(bodies, pairs));
   }
-  /// Tells all ranks what each has measured. All ranks, once an update.
+  /// Sends the measurements of each rank to all. All ranks, once an update.
   void share(Together& together);
 
-  /// Notes the seconds of a pair of two kinds, for the next `share`.
+  /// Records the seconds of a pair of two kinds, for the next `share`.
   void note(Kind a, Kind b, double seconds) { news_[ordered(a, b)] = seconds; }
   /// The cost of a pair of two kinds, in units of a body's; a usual one where it was never measured.
   float of(Kind a, Kind b) const;
@@ -81,7 +82,7 @@ class PairCosts {
   std::map<Pair, Known> known_;
   std::map<Pair, double> news_;
   std::uint64_t updates_ = 0;
-  bool due_ = true;  ///< some kind that was charged last, or nothing was charged yet
+  bool due_ = true;  ///< some kind that was charged last has to be measured, or nothing was charged yet
 };
 
 }  // namespace graze::mpi

@@ -12,7 +12,8 @@ namespace graze::mpi {
 
 namespace {
 
-/// Zoltan reckons with differences of coordinates: those of half-spaces, which have no end, would be none.
+/// The largest coordinate for Zoltan, which computes differences: those of half-spaces, which have no end, would be
+/// none.
 constexpr double furthest = 1e100;
 
 void check(int error, const char* what) {

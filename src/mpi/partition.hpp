@@ -1,4 +1,4 @@
-// Space shared out among ranks: recursive coordinate bisection (Berger and Bokhari 1987), by Zoltan.
+// The partition of space among ranks: recursive coordinate bisection (Berger and Bokhari 1987), by Zoltan.
 #pragma once
 
 #include <mpi.h>
@@ -12,14 +12,14 @@ struct Zoltan_Struct;
 
 namespace graze::mpi {
 
-/// A body as the partition knows it.
+/// A body in the form that the partition needs.
 struct Load {
   Vec3<double> place;
   double weight;
 };
 
-/// Guarantee: every point belongs to one rank, and a rank whose region a box meets is among those of the box; so is the
-/// rank of any point in it.
+/// The regions of the ranks. Guarantee: every point belongs to one rank, and a rank whose region a box meets is among
+/// those of the box; so is the rank of any point in it.
 class Partition {
  public:
   explicit Partition(MPI_Comm comm);
@@ -27,11 +27,11 @@ class Partition {
   Partition(const Partition&) = delete;
   Partition& operator=(const Partition&) = delete;
 
-  /// Draws the borders so that each rank has about the same weight. All ranks, each with what it has.
+  /// Draws the borders so that each rank has about the same weight. All ranks, each with its own loads.
   void draw(std::span<const Load> loads);
   bool drawn() const { return drawn_; }
 
-  /// Costs next to nothing for a point that is inside the region of this rank.
+  /// The rank of a point. Costs next to nothing for one inside the region of this rank.
   int rank_of_point(const Vec3<double>& point) const;
   /// Appends the ranks whose regions a box meets.
   void ranks_of_box(const Aabb<double>& box, std::vector<int>& out) const;

@@ -1,4 +1,4 @@
-// When the borders between ranks are drawn anew.
+// The decision when the borders between ranks are drawn anew.
 //
 // Guarantee: drawings end. In a scene that lies still at most twelve in a row gain nothing, however unevenly its work
 // is shared: a body cannot be cut, and borders move what is lent across them.
@@ -13,8 +13,8 @@ class Redrawing {
   /// `threshold`: the largest load over the mean from which on borders are drawn.
   explicit Redrawing(double threshold) : threshold_(threshold) {}
 
-  /// Whether to draw; to be asked once an update, with the imbalance and the work of all ranks in the update before: a
-  /// count of bodies and of pairs that may touch. As many as the last time means that nothing moved since.
+  /// Whether to draw; called once an update, with the imbalance and the work of all ranks in the update before: a count
+  /// of bodies and of pairs that may touch. The same work as the last time means that nothing moved since.
   bool is_due(double imbalance, double work) {
     if (work != work_) {
       in_vain_ = 0;
@@ -28,11 +28,11 @@ class Redrawing {
     if (imbalance <= threshold_) return false;
     return in_vain_ < few_in_vain || (in_vain_ < most_in_vain && imbalance > best_ * near);
   }
-  /// To be told when borders were drawn.
+  /// Records that borders were drawn.
   void drawn() { drawn_ = true; }
 
  private:
-  /// A balance that is less than so much better is no better.
+  /// The factor by which a balance has to be better to count as better.
   static constexpr double gain = 1.02;
   /// Drawings without gain after which borders stay if they are nearly as good as the best were, and if they are not.
   /// Costs that were found under other borders do not fit the new ones, so that drawings go to and fro.

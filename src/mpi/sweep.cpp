@@ -55,7 +55,7 @@ std::optional<std::pair<int, Answered>> receive_answered(MPI_Comm comm) {
   return std::pair(status.MPI_SOURCE, std::move(answered));
 }
 
-/// The work of all ranks but the first.
+/// Works for the first rank: the part of all others.
 void work_for_first(MPI_Comm comm, Worker worker) {
   while (true) {
     Patience patience;
@@ -158,23 +158,23 @@ class Coordinator {
   const File& questions_;
   LineChunks chunks_;
   std::unordered_map<std::uint64_t, Record> known_;
-  std::ostream* stream_;  ///< for the answers, or null where the journal has them
+  std::ostream* stream_;  ///< for the answers, or null where they are in the journal
   std::vector<std::size_t> open_;
   std::size_t left_ = 0;
   std::vector<Record> records_;                   ///< by chunk
-  std::map<std::uint64_t, std::string> waiting_;  ///< answers to what comes later than one that is not there yet
+  std::map<std::uint64_t, std::string> waiting_;  ///< answers behind one that is not there yet
   std::uint64_t written_ = 0;
   SweepReport report_;
 };
 
-/// One line that says of what sweep a journal is.
+/// One line that identifies the sweep of a journal.
 std::string head_of(const SweepSettings& settings, const File& questions) {
   return "graze sweep 1; " + settings.kind + "; " + std::to_string(LineChunks::most_lines) + " lines or " +
          std::to_string(LineChunks::most_bytes) + " bytes; of " + std::to_string(questions.size()) + " bytes" +
          (settings.record_bytes > 0 ? " in records of " + std::to_string(settings.record_bytes) : "") + "\n";
 }
 
-/// Calls `f` on one rank's behalf and tells all what it threw.
+/// Calls `f` on one rank's behalf and throws its errors on all ranks.
 template <class F>
 void begin(MPI_Comm comm, F&& f) {
   std::string fault;
@@ -218,7 +218,7 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
       for (const std::string& file : {out, partial_name(out)})
         if (std::filesystem::exists(file) && std::filesystem::equivalent(file, settings.questions))
           throw InvalidValue(file == out ? settings.out : file, "another file than the questions", "the questions");
-      // A link of that name would take the place of the output, and what it leads to be written over.
+      // A link of that name would take the place of the output, and its target be written over.
       if (std::filesystem::is_symlink(partial_name(out))) std::filesystem::remove(partial_name(out));
       File::writing(partial_name(out));
     }

@@ -42,7 +42,7 @@ void check(int error, const std::string& name) {
   throw std::system_error(reason, std::generic_category(), name + ": cannot be written: " + text.data());
 }
 
-/// A file that all ranks write, each where it likes.
+/// A file that all ranks write, each at places of its own.
 class SharedFile {
  public:
   SharedFile(MPI_Comm comm, const std::string& name) : name_(name) {
@@ -70,7 +70,7 @@ class SharedFile {
   std::string name_;
 };
 
-/// All records to all ranks.
+/// Sends all records to all ranks.
 void share(MPI_Comm comm, std::vector<Record>& records) {
   static_assert(std::is_trivially_copyable_v<Record>);
   std::uint64_t count = records.size();
@@ -94,7 +94,7 @@ void write_to_stream(const std::string& directory, const std::vector<Record>& re
   if (!stream) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "answers cannot be written");
 }
 
-/// The ranks take the bytes of the output in equal parts, rounded to records.
+/// Writes the output. The ranks take its bytes in equal parts, rounded to records.
 void write_together(MPI_Comm comm, const std::string& directory, std::vector<Record> records, const std::string& out) {
   share(comm, records);
   std::uint64_t size = 0;

@@ -1,4 +1,4 @@
-// One rank's work in a sweep: takes chunks, answers their lines, and keeps or hands on the answers.
+// The work of one rank in a sweep: it takes chunks, answers their lines, and keeps or hands on the answers.
 #pragma once
 
 #include <condition_variable>
@@ -18,13 +18,13 @@ namespace graze::mpi {
 /// A chunk with its answers.
 struct Answered {
   Record record;
-  std::string text;  ///< empty where the journal has it
+  std::string text;  ///< empty where it is in the journal
   double seconds = 0;
 };
 
 class Worker {
  public:
-  /// `record_bytes` as of the chunks.
+  /// `record_bytes`: as for the chunks.
   Worker(const File& questions, std::uint64_t record_bytes, JournalPart* journal, const LineAnswer& answer)
       : questions_(questions), record_bytes_(record_bytes), journal_(journal), answer_(answer) {}
 

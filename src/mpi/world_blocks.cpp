@@ -1,9 +1,9 @@
 // An update that hands contacts over block by block.
 //
-// Guarantee: the pairs, manifolds and points that `update` keeps, with the same bits, each pair in one block. A rank
-// does with its blocks what ranks do with each other, but by other rules, since it has all of them at hand: two that
-// move are found where the one of the smaller size class, or of the smaller key, is at home, and what moves on fixed
-// ground where the former is, with all the ground that it may touch.
+// Guarantee: the pairs, manifolds and points that `update` keeps, with the same bits, each pair in one block. The
+// blocks of a rank share their pairs as ranks do, but by other rules, since all of them are at hand: two bodies that
+// move are found where the one of the smaller size class, or of the smaller key, is at home, and a body that moves on
+// fixed ground where it is at home itself, with all the ground that it may touch.
 #include <algorithm>
 #include <utility>
 
@@ -46,7 +46,7 @@ class World<T>::Parts::InBlocks {
   std::vector<Guest> guests_;
   std::vector<Aabb<T>> boxes_;  ///< of all, by place
 
-  // Of a block.
+  // Members of the block at hand.
   std::vector<std::uint32_t> places_;  ///< of its bodies, in the order of keys
   std::vector<std::uint8_t> is_home_;  ///< by place
   std::vector<Aabb<T>> block_boxes_;
@@ -85,7 +85,7 @@ void World<T>::Parts::InBlocks::lend(Together& together) {
   });
 }
 
-/// Guests that are here already stay as they are. All are few, and sorted anew each time.
+/// Takes in guests. Those that are here already stay as they are. All are few, and sorted anew each time.
 template <class T>
 void World<T>::Parts::InBlocks::take_in(const ByRank<BodyRecord<T>>& from) {
   const std::size_t before = guests_.size();
@@ -108,13 +108,13 @@ bool World<T>::Parts::InBlocks::may_meet(std::uint32_t i, std::uint32_t j) const
          (!p_.settings.allow || p_.settings.allow(std::min(key(i), key(j)), std::max(key(i), key(j))));
 }
 
-/// Two whose boxes overlap are found by the rank of their common point.
+/// Whether this rank finds a pair: two whose boxes overlap are found by the rank of their common point.
 template <class T>
 bool World<T>::Parts::InBlocks::is_found_here(std::uint32_t i, std::uint32_t j) const {
   return size_of(p_.comm) == 1 || p_.partition.rank_of_point(common_point(boxes_[i], boxes_[j])) == rank_of(p_.comm);
 }
 
-/// Fixed bodies that stand here, and on which something moves that lives elsewhere, are lent to where that is.
+/// Lends fixed bodies that stand here to the ranks where bodies live that move on them.
 template <class T>
 void World<T>::Parts::InBlocks::fetch_ground(Together& together) {
   ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();

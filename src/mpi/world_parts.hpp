@@ -16,10 +16,11 @@
 
 namespace graze::mpi {
 
-/// The unit in which work is reckoned.
+/// The unit of work.
 constexpr float cost_of_body = 1;
 
-/// Charges a pair to its bodies. With one that is lent it is all the other's: it is work of this rank and near it.
+/// Charges a pair to its bodies. Where one of them is lent, the other bears all of it: it is work of this rank and near
+/// that body.
 inline void charge_pair(float cost, bool a_lives_here, bool b_lives_here, float& of_a, float& of_b) {
   of_a += b_lives_here ? cost / 2 : cost;
   of_b += a_lives_here ? cost / 2 : cost;
@@ -129,7 +130,7 @@ struct World<T>::Parts {
 
   static constexpr std::uint32_t nowhere = OwnedBodies<T>::nowhere;
 
-  // Bodies by place, in the order of their keys.
+  // Arrays by place, in the order of the bodies' keys.
   std::vector<Key> keys;
   std::vector<Standing> standing, before;  ///< now, and in the last update
   std::unique_ptr<BodyArrays<T>> arrays;

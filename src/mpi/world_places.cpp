@@ -1,8 +1,8 @@
-// Where bodies stand in the arrays of a rank, from update to update.
+// The places of bodies in the arrays of a rank, from update to update.
 //
 // Guarantee: places are in the order of keys, and a body keeps its place for as long as no body comes that never stood
-// here: those that are lent again and again have kept theirs. So an update costs what changed in it, as in one world,
-// and where places are given anew, what an update costs in which everything moves.
+// here: those that are lent again and again have kept theirs. So an update costs in proportion to its changes, as in
+// one world, and where places are given anew, as much as an update in which everything moves.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -14,7 +14,7 @@ namespace graze::mpi {
 
 namespace {
 
-/// Once more than one place in so many is of a body that is away, places are given anew.
+/// The share of places of bodies that are away, one in so many, above which places are given anew.
 constexpr std::size_t places_per_away = 8;
 
 /// A body nearer to a region than this share of its own size gets a place there before it is lent: bodies that drift
@@ -45,7 +45,7 @@ Aabb<T> World<T>::Parts::bounds_of(const Body<T>& body) const {
   return bounds_with_margin<T>(body.shape, body.pose, BodyArrays<T>::margin_of(body.shape, settings.margin));
 }
 
-/// Whether it stays away from all borders.
+/// Whether a box stays away from all borders.
 template <class T>
 bool World<T>::Parts::is_inside(const Aabb<T>& box) const {
   const Aabb<double>& region = partition.region();
@@ -158,7 +158,7 @@ void World<T>::Parts::place_guests(const ByRank<BodyRecord<T>>& from, bool all_p
   find_bounds_of(places);
 }
 
-/// Gives places to what lives here and to these.
+/// Gives places to the bodies that live here and to these guests.
 template <class T>
 void World<T>::Parts::place_anew(std::vector<Guest> guests) {
   const auto by_key = [](const Guest& a, const Guest& b) { return a.key < b.key; };
@@ -198,7 +198,7 @@ void World<T>::Parts::place_anew(std::vector<Guest> guests) {
   late.clear();
 }
 
-/// Fixed bodies that are lent for the sake of others' pairs, after the candidates were found.
+/// Takes in fixed bodies that are lent for the sake of others' pairs, after the candidates were found.
 template <class T>
 void World<T>::Parts::take_ground(const std::vector<BodyRecord<T>>& ground) {
   std::vector<Guest> missing;
@@ -208,7 +208,7 @@ void World<T>::Parts::take_ground(const std::vector<BodyRecord<T>>& ground) {
       const auto same = [&](const Guest& g) { return g.key == r.key; };
       if (std::none_of(missing.begin(), missing.end(), same)) missing.push_back({r.key, body_of(r, shared)});
     } else if (standing[place] == away) {
-      // Who sends it does not know whether it stood here in the last update, nor what its shape was.
+      // The sender does not know whether it stood here in the last update, nor its shape then.
       bring_up(place, body_of(r, shared), true);
       standing[place] = lent;
       late.push_back(place);

@@ -8,8 +8,8 @@ namespace graze::mpi {
 
 namespace {
 
-/// Loads of a rank that borders are drawn by, since Zoltan holds 200 to 400 bytes a load: of more bodies every second,
-/// third and so on stands for those after it, by which the balance is off by some thousandths.
+/// The most loads of a rank by which borders are drawn, since Zoltan holds 200 to 400 bytes a load: of more bodies
+/// every second, third and so on stands for those after it, by which the balance is off by some thousandths.
 constexpr std::size_t most_loads = std::size_t{1} << 18;
 
 }  // namespace
@@ -28,13 +28,14 @@ void World<T>::Parts::charge_pairs(Together& together) {
     pair_costs.charge(*arrays, last, [&](const IdPair& p, float cost) {
       charge_pair(cost, standing[p.a] == lives, standing[p.b] == lives, costs[p.a], costs[p.b]);
     });
-    // The mean with what it was: under new borders others are charged, and borders by that alone would go to and fro.
+    // The mean with the cost before: under new borders others are charged, and borders by that alone would go to and
+    // fro.
     for (auto& o : owned.settled())
       if (o.place != nowhere) o.cost = o.cost > 0 ? (2 * o.cost + costs[o.place]) / 3 : costs[o.place];
   });
 }
 
-/// Gives bodies that are new the mean cost of the others; returns what all of this rank cost together.
+/// Gives bodies that are new the mean cost of the others; returns the cost of all bodies of this rank.
 template <class T>
 double World<T>::Parts::expected_cost(Together& together) {
   double known[2] = {0, 0};  // cost, and how many
@@ -86,7 +87,7 @@ void World<T>::Parts::balance(Together& together) {
   ++report.partitions;
 }
 
-/// From this key on, so many at a time; returns the key from which on they are still to be looked for.
+/// Finds bodies that leave, some at a time from this key on; returns the key from which on to go on, or nothing.
 template <class T>
 std::optional<Key> World<T>::Parts::find_who_leaves(Key first, ByRank<BodyRecord<T>>& to) {
   if (!partition.drawn() || to.size() == 1) return {};
@@ -109,7 +110,7 @@ std::optional<Key> World<T>::Parts::find_who_leaves(Key first, ByRank<BodyRecord
   return {};
 }
 
-/// Bodies go to live where their origins are: in rounds, so that messages stay small where borders were drawn anew.
+/// Moves bodies to the ranks of their origins: in rounds, so that messages stay small where borders were drawn anew.
 template <class T>
 void World<T>::Parts::migrate(Together& together) {
   std::optional<Key> first = 0;
@@ -185,9 +186,9 @@ void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
   mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
 }
 
-/// The pairs whose contacts are this rank's to find. Two that move are found where a common point of their bounds lies.
-/// One that moves and one that is fixed are found where the former lives, with all else that stands beside: the latter
-/// is lent there, too, by the rank of their common point.
+/// Finds the pairs whose contacts this rank has to find. Two that move are found where a common point of their bounds
+/// lies. One that moves and one that is fixed are found where the former lives, with all else that stands beside: the
+/// latter is lent there, too, by the rank of their common point.
 template <class T>
 void World<T>::Parts::find_pairs(Together& together) {
   ByRank<Sent> to = together.nothing<Sent>();
