@@ -36,7 +36,7 @@ class Stage {
   Aabbd box_ = Aabbd::empty();
 };
 
-/// Both bodies of an explanation, in space or in the plane, in the form that a picture needs. `b` is the second one.
+/// The two bodies of an explanation, in space or in the plane, in the form that a picture needs. `b` is the second one.
 class Drawn {
  public:
   explicit Drawn(const Explanation& e) : e_(e) {}
