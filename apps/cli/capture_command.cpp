@@ -1,4 +1,4 @@
-// graze capture: a scene played, and every call of its simulation written down.
+// graze capture: a scene played, and every call of its simulation recorded.
 #include <fmt/format.h>
 
 #include <memory>

@@ -9,17 +9,17 @@
 
 namespace graze::cli {
 
-/// "float" or "double".
+/// The precision named "float" or "double".
 io::Precision precision_of(const std::string& name);
 
-/// A length or a time as it came, named by its option. Throws `InvalidValue`.
+/// A length or a time as it was given, named by its option. Throws `InvalidValue`.
 double checked_length(const char* option, double value, io::Precision precision);
 
 /// Three numbers that are a direction. Throws `InvalidValue`.
 Vec3d checked_direction(const std::vector<double>& numbers);
 
-/// The name of a file to write. Throws `InvalidValue` when it does not end in `ending`, which has its dot, so that no
-/// picture is taken for one of another kind. What is there and is no regular file (a pipe, a device) may have any name.
+/// Checks the name of a file to write. Throws `InvalidValue` when it does not end in `ending`, which has its dot, so
+/// that no picture is taken for one of another kind. A pipe or a device may have any name.
 void check_ending(const char* option, const std::string& file, const std::string& ending);
 
 }  // namespace graze::cli

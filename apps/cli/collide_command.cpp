@@ -82,7 +82,7 @@ std::vector<io::TouchingPair> touching_pairs(const AnyScene& scene, io::CollideO
   return io::collide(scene, how);
 }
 
-/// A scene of the plane is one file.
+/// Whether the scene is one of the plane, which is one file.
 bool is_in_plane(const CollideArguments& options) {
   std::size_t count = 0;
   for (const std::string& file : options.scene.files) count += io::is_plane_scene(file);

@@ -17,7 +17,7 @@ struct Event {
   io::FrameEvent what;
 };
 
-/// All that was seen.
+/// All events and pairs of the frames.
 struct Record {
   std::vector<Event> events;
   std::vector<std::size_t> pairs;  ///< of each frame

@@ -7,7 +7,7 @@
 
 namespace graze::cli {
 
-/// What a command does when it was chosen; returns the exit code.
+/// The work of a command that was chosen; returns the exit code.
 using Run = std::function<int()>;
 
 Run add_capture(CLI::App& app);

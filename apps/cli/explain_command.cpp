@@ -1,4 +1,4 @@
-// graze explain: one question of the protocol, with everything that was done to answer it.
+// graze explain: one question of the protocol, with all steps of its answer.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -23,7 +23,7 @@ struct ExplainArguments {
   std::vector<double> direction{1, 0.6, 1.4};
 };
 
-/// The line that is asked for, counted from 1 among those that are not blank.
+/// The line of the question, counted from 1 among those that are not blank.
 std::string question_line(const ExplainArguments& options) {
   if (options.line == 0) throw InvalidValue("--line", "a whole number >= 1", "0");
   std::ifstream file;

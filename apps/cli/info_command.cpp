@@ -57,7 +57,7 @@ void print_colliders_as_json(const io::Scene& scene) {
   print(whole);
 }
 
-/// A mesh's edges, and whatever else of it is not as a modeller would wish.
+/// A mesh's edges in words, and all findings that a modeller would not wish.
 std::string counts_told(const MeshFindings& found) {
   std::string out = fmt::format("{}: {} flat, {} convex, {} concave, {} open", counted(found.edges(), "edge"),
                                 found.flat_edges, found.convex_edges, found.concave_edges, found.open_edges);

@@ -63,7 +63,7 @@ LabFiles::LabFiles(const fs::path& lab, fs::path shown) : shown_(std::move(shown
 }
 
 LabAnswer LabFiles::answer(const LabRequest& request, int port) const {
-  // A name that another site made to lead here, and the pages of other sites, are told by what the browser says.
+  // The browser's headers reveal names that another site made to lead here, and requests of other sites' pages.
   const std::string here = fmt::format("127.0.0.1:{}", port), named = fmt::format("localhost:{}", port);
   if (request.host != here && request.host != named) return refusal(403, "Not the address of this server");
   if (!request.origin.empty() && request.origin != "http://" + request.host)

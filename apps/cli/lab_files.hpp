@@ -1,8 +1,8 @@
-// What `graze view` gives away: the files of the built lab, and one file to look at, with what belongs to it.
+// The files that `graze view` serves: those of the built lab, and one file to look at, with all that belongs to it.
 //
-// Guarantee: nothing else of the disk, whatever a request says: a request names an entry of a table that was made at the
-// start, or nothing. Answers only requests that the lab's own page makes, or the person who types its address. Safe from
-// any thread.
+// Guarantee: nothing else of the disk, whatever a request says: a request names an entry of a table that was made
+// at the start, or nothing. Answers only requests that the lab's own page makes, or the person who types its
+// address. Safe from any thread.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@
 
 namespace graze::cli {
 
-/// What of a request counts. Fields that it did not have are empty.
+/// The fields of a request that count. Fields that it did not have are empty.
 struct LabRequest {
   std::string method, path;
   std::string host, origin;
-  std::string fetch_site;     ///< the browser's word on where the request comes from (`Sec-Fetch-Site`)
+  std::string fetch_site;     ///< where the request comes from, by the browser (`Sec-Fetch-Site`)
   std::string if_none_match;  ///< the version that the browser has
 };
 
@@ -30,7 +30,7 @@ struct LabAnswer {
 
 class LabFiles {
  public:
-  /// The lab's files are read now, `shown` whenever it is asked for. Throws `InvalidValue` when `lab` holds no lab or
+  /// Reads the lab's files now, and `shown` at each request for it. Throws `InvalidValue` when `lab` holds no lab or
   /// `shown` is no file that can be read.
   LabFiles(const std::filesystem::path& lab, std::filesystem::path shown);
 
@@ -47,13 +47,13 @@ class LabFiles {
 
   LabAnswer shown_file(const LabRequest& request) const;
 
-  std::map<std::string, File, std::less<>> files_;  ///< by the paths that a request has
+  std::map<std::string, File, std::less<>> files_;  ///< by the paths of requests
   ShownFile shown_;
   std::string shown_path_;
 };
 
-/// Where the built lab is: `given` if it says so, else beside the installed program, else where this tree builds it.
-/// Throws `InvalidValue` where none is, with what builds it.
+/// The folder of the built lab: `given` if that is not empty, else beside the installed program, else where this tree
+/// builds it. Throws `InvalidValue` where none is, with the command that builds it.
 std::filesystem::path find_lab(const std::string& given);
 
 }  // namespace graze::cli

@@ -30,7 +30,7 @@ std::string names_of_commands(CLI::App& app) {
   return names;
 }
 
-/// Parses the command line and does what it says; returns the exit code.
+/// Parses the command line and runs its command; returns the exit code.
 int run(int argc, char** argv) {
   CLI::App app{"Graze: do these things touch, where, how deep, how far apart"};
   app.name("graze");
@@ -56,7 +56,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    // The command line is input like any other: 2 for what cannot be read, 0 for --help and --version.
+    // The command line is input like any other: 2 where it cannot be read, 0 for --help and --version.
     return app.exit(e) == 0 ? 0 : cannot_work;
   }
   for (const auto& [name, act] : commands)

@@ -37,7 +37,7 @@ void print_notes(const std::vector<std::string>& notes) {
 }
 
 void flush_output() {
-  // Both ways to standard output: they may have buffers of their own.
+  // Standard output is written in two ways, which may have buffers of their own.
   const bool stream_wrote = static_cast<bool>(std::cout.flush());
   const bool file_wrote = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (stream_wrote && file_wrote) return;

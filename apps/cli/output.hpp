@@ -1,6 +1,7 @@
-// What the commands print, and how: JSON, numbers in tables, notes.
+// The output of commands: JSON, numbers in tables, notes.
 //
-// Guarantee: what standard output does not take is an error of the program (see `flush_output`), never passed over.
+// Guarantee: output that standard output does not take is an error of the program (see
+// `flush_output`), never passed over.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,19 +13,19 @@
 
 namespace graze::cli {
 
-/// Keys stay in the order in which they are written.
+/// JSON whose keys stay in the order in which they are written.
 using Json = nlohmann::ordered_json;
 
-/// [x, y, z], a zero without a sign.
+/// The array [x, y, z], a zero without a sign.
 Json json_of(const Vec3d& v);
 
-/// Prints a whole answer to standard output. Names that are not UTF-8 lose what is not.
+/// Prints a whole answer to standard output. Bytes of names that are not UTF-8 are replaced.
 void print(const Json& whole);
 
-/// Three numbers of four decimals, `width` characters each; what these show as zero has no sign.
+/// Three numbers of four decimals, `width` characters each; a number that these show as zero has no sign.
 std::string shown(const Vec3d& v, int width);
 
-/// "1 collider", "2 colliders".
+/// A number with its noun: "1 collider", "2 colliders".
 std::string counted(std::size_t count, const std::string& noun);
 
 /// Whether only answers and errors are wanted (--quiet): neither notes nor progress.

@@ -8,7 +8,7 @@
 
 namespace graze::cli {
 
-/// What `--json` says of a pair but for the two: their overlap and contacts. `vector_of` gives a vector's coordinates.
+/// The JSON of a pair but for its two colliders: their overlap and contacts. `vector_of` gives a vector's coordinates.
 template <class VectorOf>
 Json json_of_touch(const io::TouchingPair& pair, VectorOf&& vector_of) {
   Json manifolds = Json::array();

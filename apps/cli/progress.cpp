@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds patience{1000}, interval{200};
 
-/// Back to the begin of the line, and nothing left on it.
+/// The characters that go back to the beginning of the line and leave nothing on it.
 constexpr const char* wiped = "\r\x1b[K";
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How far a long piece of work is.
+// The progress of a long piece of work.
 #pragma once
 
 #include <atomic>
@@ -10,18 +10,18 @@
 namespace graze::cli {
 
 /// A line on standard error that counts seconds while something takes longer than one, with the part that is done where
-/// that is known. Only on a terminal, and not when all is to be quiet; wiped off at the end.
+/// that is known. It appears only on a terminal, and not with --quiet; it is wiped off at the end.
 class Progress {
  public:
-  /// `doing` is what takes its time: "colliding".
+  /// Begins a line. `doing` names the work: "colliding".
   explicit Progress(std::string doing);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// From now on something else takes its time.
+  /// Names the work that follows.
   void now(std::string doing);
-  /// So much is done, of so much.
+  /// Sets the part of the work that is done.
   void operator()(std::size_t done, std::size_t all);
 
  private:

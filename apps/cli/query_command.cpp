@@ -16,9 +16,9 @@ namespace graze::cli {
 
 namespace {
 
-/// Answers all that is asked; returns the exit code.
+/// Answers all questions; returns the exit code.
 int answer_all(std::istream& in, const std::string& name, io::Precision precision) {
-  // Answers on the same terminal would be mixed up with it, and are progress enough.
+  // Answers on the same terminal would be mixed up with the line of progress, and are progress enough.
   std::optional<Progress> progress;
   if (isatty(STDOUT_FILENO) == 0) progress.emplace("answering");
   const std::size_t errors = io::answer_stream(in, std::cout, precision);

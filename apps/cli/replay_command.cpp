@@ -21,7 +21,7 @@ struct ReplayArguments {
   bool json = false;
 };
 
-/// As JSON has it, between quotes: a file may name its bodies by any bytes, and a terminal obeys some of them.
+/// A name as JSON has it, between quotes: a file may name its bodies by any bytes, and a terminal obeys some of them.
 std::string in_quotes(std::string_view name) {
   return Json(std::string(name)).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -42,7 +42,7 @@ void print_as_json(const ReplayReport& report) {
   print(whole);
 }
 
-/// "bodies: "floor", "box 1" and 7 more"; nothing where none has a name.
+/// Prints the names of bodies: "bodies: "floor", "box 1" and 7 more"; nothing where none has a name.
 void print_names(const BodyNames& names) {
   constexpr std::size_t most = 8;
   std::string line;

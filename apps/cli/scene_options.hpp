@@ -1,4 +1,4 @@
-// What commands that read scenes have in common.
+// The options that commands for scenes share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,16 +16,16 @@ struct SceneOptions {
 
   void add_to(CLI::App& command);
   io::LoadOptions load_options(bool animations = false, bool physics_only = false) const;
-  /// All files in one scene, each at the origin, with their animations if these are asked for. With `physics_only` the
+  /// Loads all files in one scene, each at the origin, with their animations if `animations`. With `physics_only` the
   /// meshes of files that have motions, and no colliders, do not collide. Throws `InvalidValue`.
   io::Scene load(bool animations = false, bool physics_only = false) const;
   /// Whether it is a scene of the plane, which is one file alone. Throws `InvalidValue` for one among others.
   bool is_in_plane() const;
-  /// The file that something can be drawn into; empty when there are several.
+  /// The file that can be drawn into; empty when there are several.
   std::string only_file() const { return files.size() == 1 ? files[0] : ""; }
 };
 
-/// How a shape is told in a table: its name and its numbers.
+/// A shape in a table: its name and its numbers.
 std::string told(const Shaped& shape);
 
 }  // namespace graze::cli

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Another time of writing or another size is another version: a large file is not read to see that nothing changed.
+/// The version of a file, by its time of writing and its size: a large file is not read to find out whether it changed.
 std::string version_of(const fs::path& file) {
   return fmt::format("{:x}-{:x}", fs::last_write_time(file).time_since_epoch().count(), fs::file_size(file));
 }
@@ -57,7 +57,7 @@ std::string ShownFile::content() const {
   try {
     return io::whole_gltf(file_);
   } catch (const InvalidValue&) {
-    return bytes_of(file_);  // the page says what is wrong with it
+    return bytes_of(file_);  // the page reports what is wrong with it
   }
 }
 

@@ -1,7 +1,7 @@
 // The file that `graze view` shows, as one file whatever it refers to, and its versions.
 //
-// Guarantee: reads that file and, for a .gltf, what its buffers and pictures name below its own folder; nothing else.
-// Safe from any thread.
+// Guarantee: reads that file and, for a .gltf, the files below its own folder that its buffers and pictures name;
+// nothing else. Safe from any thread.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,15 @@ namespace graze::cli {
 
 class ShownFile {
  public:
-  /// Throws `InvalidValue` for what is no file that can be read.
+  /// Names the file. Throws `InvalidValue` if it cannot be read.
   explicit ShownFile(std::filesystem::path file);
 
   const std::filesystem::path& path() const { return file_; }
   bool is_there() const;
-  /// Another one whenever it, or a file with a buffer of it, was written anew. Throws where it is gone.
+  /// A version that is another one whenever the file, or one with a buffer of it, was written anew. Throws where it is
+  /// gone.
   std::string version() const;
-  /// Its bytes; a .gltf that refers to other files with them inside. Throws where it is gone.
+  /// The bytes of the file; for a .gltf that refers to other files, with those inside. Throws where it is gone.
   std::string content() const;
 
  private:
@@ -28,7 +29,7 @@ class ShownFile {
   std::vector<std::filesystem::path> buffers(const std::string& own) const;
 
   std::filesystem::path file_;
-  // A scene is read to see what it names when it was written anew, not each time that somebody asks.
+  // The names in a scene are read when it was written anew, not at each request.
   mutable std::mutex guard_;
   mutable std::string known_version_;
   mutable std::vector<std::filesystem::path> known_buffers_;

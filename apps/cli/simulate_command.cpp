@@ -26,12 +26,12 @@ namespace {
 struct SimulateArguments {
   SceneOptions scene;
   double seconds = 10, rate = 60;
-  std::vector<double> gravity;  ///< empty where nothing is said
+  std::vector<double> gravity;  ///< empty where it is not given
   int threads = 1, sub_steps = 4;
   std::string precision = "double", out, svg, report = "text";
 };
 
-/// The scene with its bodies where a frame has them; without what has left it by more than its own size.
+/// The scene with its bodies where a frame has them, but for those that have left it by more than its own size.
 io::Scene moved_to(const io::Scene& scene, const io::SimulationFrame& frame) {
   io::Scene moved = scene;
   moved.colliders.clear();
@@ -50,7 +50,7 @@ io::Scene moved_to(const io::Scene& scene, const io::SimulationFrame& frame) {
   return moved;
 }
 
-/// Two pictures in one, the second below the first.
+/// Writes two pictures in one, the second below the first.
 void write_pictures(const std::string& file, const io::Scene& before, const io::Scene& after) {
   const auto drawn = [](io::Scene scene, const char* when) {
     scene.source += when;
@@ -64,7 +64,7 @@ void write_pictures(const std::string& file, const io::Scene& before, const io::
                            drawn(before, ", before") + below.substr(root) + "</svg>\n");
 }
 
-/// Options are named as they were given.
+/// Throws an error anew under the name of the option that was given.
 [[noreturn]] void throw_renamed(const InvalidValue& e) {
   static constexpr std::pair<const char*, const char*> names[] = {
       {"seconds", "--seconds"},         {"rate", "--rate"},      {"dt", "--rate"}, {"sub_steps", "--substeps"},
@@ -75,7 +75,7 @@ void write_pictures(const std::string& file, const io::Scene& before, const io::
   throw e;
 }
 
-/// Plays a scene into a file, if there is one, and tells what it took.
+/// Plays a scene into a file, if there is one, and prints the summary.
 template <class Frame, class AnyScene, class AnyRecording>
 void play(AnyScene& scene, const SimulateArguments& options, const io::SimulateOptions& how, AnyRecording& recording,
           Frame& last) {

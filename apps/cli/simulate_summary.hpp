@@ -1,11 +1,11 @@
-// What playing a scene took, printed.
+// The summary of a scene that was played, printed.
 #pragma once
 
 #include "graze/io/simulate.hpp"
 
 namespace graze::cli {
 
-/// What a summary is of: a scene's name and notes, steps a second, and how long it took to compute.
+/// The facts of a summary: a scene's name and notes, steps a second, and the time that it took to compute.
 struct SummaryOf {
   const std::string& source;
   const std::vector<std::string>& notices;

@@ -35,7 +35,7 @@ struct ViewArguments {
 
 constexpr const char* loopback = "127.0.0.1";
 
-/// A header that came once; of one that came more often nobody knows which counts, so that it is as good as foreign.
+/// A header that came once; one that came more often counts as foreign, since it is not known which is valid.
 std::string header(const httplib::Request& request, const char* name) {
   return request.get_header_value_count(name) > 1 ? "more than one" : request.get_header_value(name);
 }
@@ -51,7 +51,7 @@ LabRequest request_of(const httplib::Request& r) {
 
 void send(const LabAnswer& answer, httplib::Response& response) {
   response.status = answer.status;
-  // The page's own policy, and what a page cannot say of itself.
+  // The page's own policy, and headers that a page cannot set for itself.
   response.set_header("Content-Security-Policy", "frame-ancestors 'none'");
   response.set_header("Cross-Origin-Resource-Policy", "same-origin");
   response.set_header("X-Content-Type-Options", "nosniff");
@@ -66,7 +66,7 @@ void send(const LabAnswer& answer, httplib::Response& response) {
 class LabServer {
  public:
   LabServer(const LabFiles& files, int port) {
-    // Two programs at one port would share its requests, which the package asks for by itself.
+    // Two programs at one port would share its requests, which is the default of the package.
     server_.set_socket_options([](socket_t socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -91,7 +91,7 @@ class LabServer {
     });
   }
   ~LabServer() {
-    // What has not begun to listen cannot be stopped yet.
+    // A server that has not begun to listen cannot be stopped yet.
     while (!server_.is_running() && !ended_) std::this_thread::yield();
     server_.stop();
     thread_.join();
@@ -108,7 +108,7 @@ class LabServer {
   std::thread thread_;
 };
 
-/// Shows the address in the desktop's browser, if there is a desktop. What that browser prints is not ours.
+/// Shows the address in the desktop's browser, if there is a desktop. The output of that browser is not shown.
 void open_browser(const std::string& address) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   posix_spawn_file_actions_t actions;
@@ -123,7 +123,7 @@ void open_browser(const std::string& address) {
 }
 
 int run_view(const ViewArguments& options) {
-  // Blocked before there are threads, so that none but `sigwait` gets them.
+  // Signals are blocked before there are threads, so that none but `sigwait` gets them.
   sigset_t stops;
   sigemptyset(&stops);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&stops, signal);

@@ -30,7 +30,7 @@ struct CollideArguments {
   std::vector<double> direction{1, 0.7, 1.2};
 };
 
-/// Shapes that have data of their own, which a body takes along by number only.
+/// Whether a shape has data of its own, which a body takes along by number only.
 template <class T>
 bool is_shared(const Shape<T>& shape) {
   return shape.visit([](const auto& c) { return !std::is_trivially_copyable_v<std::decay_t<decltype(c)>>; });
@@ -79,7 +79,7 @@ class Collision {
   mpi::World<T> world_;
 };
 
-/// The name of a collider and whether it is a trigger, as the first rank is told of them.
+/// A collider in the list of the first rank: its name, and whether it is a trigger.
 struct Known {
   std::string name;
   bool trigger = false;
@@ -143,7 +143,7 @@ void Collision<T>::write_contacts(const std::string& file) {
   together_.meet();
 }
 
-/// The bounds of all bodies that have some.
+/// The bounds of all bounded bodies.
 template <class T>
 Aabbd bounds_of_all(MPI_Comm comm, const mpi::World<T>& world) {
   Aabbd all = Aabbd::empty();

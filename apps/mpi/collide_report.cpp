@@ -11,7 +11,7 @@ namespace graze::cli {
 
 namespace {
 
-/// The largest over the mean of what `number` gives of each rank.
+/// The largest over the mean of a number that `number` gives for each rank.
 template <class F>
 double balance(const std::vector<RankReport>& reports, F&& number) {
   double most = 0, sum = 0;
@@ -22,7 +22,7 @@ double balance(const std::vector<RankReport>& reports, F&& number) {
   return sum > 0 ? most / sum * static_cast<double>(reports.size()) : 1;
 }
 
-/// Milliseconds.
+/// The longest time of all ranks, in milliseconds.
 template <class F>
 double longest(const std::vector<RankReport>& reports, F&& seconds) {
   double most = 0;

@@ -1,4 +1,4 @@
-// The report of `graze-mpi collide`: how the work was shared.
+// The report of `graze-mpi collide`: the shares of the ranks in the work.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // The program for many machines: one process a rank, started by mpirun.
 //
-// Guarantee: no rank waits for one that has failed. What all ranks know of they report once and end in order; what
-// befalls one rank alone it reports by its number and ends all.
+// Guarantee: no rank waits for one that has failed. An error that all ranks share is reported once, and they end in
+// order; an error of one rank alone is reported with its number and ends all.
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -41,7 +41,7 @@ int run(int argc, char** argv, int rank) {
   app.footer("Examples:\n  mpirun -n 8 graze-mpi collide city.gltf --svg owners.svg\n  mpirun -n 8 graze-mpi query "
              "questions.jsonl --out answers.jsonl");
   const std::pair<const char*, Run> commands[] = {{"collide", add_collide(app)}, {"query", add_query(app)}};
-  // Ranks of which only some can go on would wait for each other.
+  // Ranks would wait for each other if only some of them could go on.
   const auto agree_on_command_line = [](const std::string& said) {
     graze::mpi::agree_on(MPI_COMM_WORLD, "the command line", said);
   };
@@ -49,7 +49,7 @@ int run(int argc, char** argv, int rank) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     agree_on_command_line(e.what());
-    // All ranks have the same command line: one of them says what is wrong with it.
+    // All ranks have the same command line: one of them reports the error in it.
     if (rank == 0) app.exit(e);
     return e.get_exit_code() == 0 ? 0 : cannot_work;
   }

@@ -20,7 +20,8 @@ struct QueryArguments {
   bool report = false;
 };
 
-/// On standard error, since answers may go to standard output. Only rank 0 knows how the work was shared.
+/// Prints the report on standard error, since answers may go to standard output. Only rank 0 has the shares of the
+/// work.
 void print_report(const mpi::SweepReport& report) {
   if (report.by_rank.empty()) return;
   fmt::print(stderr, "lines {}, errors {}, chunks {}, of which the journal had {}\n", report.lines, report.errors,

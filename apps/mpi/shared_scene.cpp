@@ -6,7 +6,7 @@ namespace graze::cli {
 
 namespace {
 
-/// Parts that a rank keeps beside each other: those around a corner of eight.
+/// The number of parts that a rank keeps beside each other: those around a corner of eight.
 constexpr std::size_t most_kept = 8;
 
 std::vector<std::uint64_t> firsts_of(MPI_Comm comm, std::vector<std::uint64_t> counts) {

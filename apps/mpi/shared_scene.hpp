@@ -1,4 +1,4 @@
-// A scene that ranks read in parts: each its share of the files, and of those of others only what it needs.
+// A scene that ranks read in parts: each its share of the files, and of all others only the colliders that it needs.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ std::vector<std::string> texts_on_first(mpi::Together& together, std::string tex
 /// and `append` put it together, and a body's number is its collider's.
 class SharedScene {
  public:
-  /// Reads this rank's parts, the others' sizes, and what all have to know. All ranks, with the same files. Throws
-  /// `CommonError` on every rank when one cannot read.
+  /// Reads this rank's parts, the others' sizes, and the parts of the scene that all need. All ranks, with the same
+  /// files. Throws `CommonError` on every rank when one cannot read.
   SharedScene(mpi::Together& together, const std::vector<std::string>& files, const io::LoadOptions& options);
 
-  /// A collider by its number, with the scene that it is in. What this rank did not read before is read now, and of
-  /// what it read some parts are kept. Throws `InvalidValue`. Both are good until the next call.
+  /// A collider by its number, with the scene that it is in. A part that this rank has not read before is read now, and
+  /// some are kept. Throws `InvalidValue`. Both results are good until the next call.
   const io::Collider& collider(std::uint64_t number, const io::Scene** in = nullptr);
-  /// By a number: that of the body in the whole scene.
+  /// The number in the whole scene of the body of a collider, given by its number.
   std::uint64_t body_of(std::uint64_t number);
 
   /// Calls `f(number)` for the colliders of the parts that this rank was dealt.
