@@ -1,4 +1,4 @@
-// The one door to the library: everything that is computed in the lab is computed behind these functions.
+// The one door to the library: everything that the lab computes is computed behind these functions.
 
 import * as graze from "graze/double";
 import type { Body, Question, Shape, Vec } from "./question.ts";
@@ -26,7 +26,7 @@ export interface Trace {
   polytope?: { points: Support[]; triangles: [number, number, number][] };
   rounding?: number;
   nodes?: number;
-  // Of a response.
+  // Members of a response.
   point?: Vec;
   normal?: Vec;
   relativeVelocity?: { whole: Vec; normal: number; tangential: Vec };
@@ -63,7 +63,7 @@ export const line = (question: Question): string => JSON.stringify(question);
 const empty: Trace = { method: "", axes: [], gjk: [], epa: [] };
 const kept = new Map<string, Answer>();
 
-/** The library's answer with its trace. What is not answerable has `error`; the trace is then empty. */
+/** The library's answer with its trace. One to a question without an answer has `error`, and an empty trace. */
 export function ask(question: Question): Answer {
   const asked = line({ ...question, explain: true } as Question);
   const known = kept.get(asked);
@@ -76,13 +76,13 @@ export function ask(question: Question): Answer {
   return answer;
 }
 
-// --- Objects of the library, for what the protocol has no words for: worlds, broad phases, simulations ---
+// --- Objects of the library that the protocol cannot express: worlds, broad phases, simulations ---
 
 /** The library's shape of a protocol's shape. */
 export const shapeOf = (shape: Shape): graze.Shape => graze.shapeOfProtocol(shape);
 /** The library's shape of a protocol's shape of the plane. */
 export const planeShapeOf = (shape: Shape): graze.plane.Shape => graze.plane.shapeOfProtocol(shape);
-/** A shape with the measures that the protocol gives what does not say them. */
+/** A shape with the protocol's defaults for measures that it leaves out. */
 export function whole(shape: Shape): Shape {
   const made = shapeOf(shape);
   try {
@@ -91,7 +91,7 @@ export function whole(shape: Shape): Shape {
     made.dispose();
   }
 }
-/** The pose of a protocol's body; the library wants a quaternion of unit length. */
+/** The pose of a protocol's body; the library requires a quaternion of unit length. */
 export function poseOf(body: Body): { translation?: Vec; rotation?: Vec } {
   const pose: { translation?: Vec; rotation?: Vec } = {};
   if (body.translation) pose.translation = body.translation;
@@ -101,7 +101,7 @@ export function poseOf(body: Body): { translation?: Vec; rotation?: Vec } {
   }
   return pose;
 }
-/** Those points of A's surface, at most so many, that span most of the area of contact. */
+/** The points of A's surface, `most` at most, that span most of the area of contact. */
 export function fewest(q: Question, most: number): Vec[] {
   const a = shapeOf(q.a.shape), b = shapeOf(q.b!.shape);
   const found = graze.contacts(a, poseOf(q.a), b, poseOf(q.b!), q.margin ?? 0, most);

@@ -16,7 +16,7 @@ const main = h("main", { id: "main", tabindex: -1 });
 let room: Room | null = null;
 let shownPath = "";
 
-/** Another page at the same address. */
+/** Shows another page at the same address. */
 function enter(next: Room): void {
   room?.dispose();
   room = next;

@@ -1,5 +1,5 @@
-// A question of the query protocol (docs/protocol.md) as the lab holds it: the state of a lesson is one, and so is what
-// a permalink and "copy as a question" carry.
+// A question of the query protocol (docs/protocol.md) as the lab holds it: the state of a lesson is one, and so is the
+// content of a permalink and of "copy as a question".
 
 export type Vec = number[];
 
@@ -31,7 +31,7 @@ export interface Question {
   friction?: number;
 }
 
-/** What a lesson's page holds: its question, and the choices that are no part of one. */
+/** The state of a lesson's page: its question, and the choices that are no part of one. */
 export interface State {
   q: Question;
   choice?: Record<string, number | string | boolean>;

@@ -1,5 +1,5 @@
-// The lab in a real browser: every lesson loads, its steps run to the end, a drag changes the numbers to what the
-// library says, permalinks restore, nothing is written to the console, and axe finds nothing. What can be set is said in
+// The lab in a real browser: every lesson loads, its steps run to the end, a drag changes the numbers to those of the
+// library, permalinks restore, nothing is written to the console, and axe finds nothing. Settings are listed in
 // browser/harness.mjs.
 //
 //   node tests/browser.mjs

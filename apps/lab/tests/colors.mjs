@@ -11,9 +11,10 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
-/** Ten times what is noticed side by side: colours of small marks that lie apart, which also differ by sign and letter. */
+/** Ten times the least difference that is noticed side by side: small marks lie apart, and also differ by sign and
+ *  letter. */
 const least = 10;
-/** As in parts/drawing.ts. */
+/** The meanings of parts/drawing.ts. */
 const meanings = ["a", "b", "touch", "axis", "out", "made", "trigger", "ink"];
 
 const visions = {
@@ -24,12 +25,12 @@ const visions = {
 };
 const times = (matrix, v) => matrix.map((row) => row.reduce((sum, x, i) => sum + x * v[i], 0));
 
-/** "#1f6feb" in linear sRGB (IEC 61966-2-1). */
+/** A colour like "#1f6feb" in linear sRGB (IEC 61966-2-1). */
 function linear(hex) {
   const parts = [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16) / 255);
   return parts.map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
 }
-/** CIELAB for the white of D65. */
+/** A colour in CIELAB for the white of D65. */
 function lab(rgb) {
   const shown = rgb.map((c) => Math.min(1, Math.max(0, c)));
   const xyz = times([[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.072175], [0.0193339, 0.119192, 0.9503041]], shown);
@@ -38,7 +39,7 @@ function lab(rgb) {
 }
 const radians = (degrees) => (degrees * Math.PI) / 180;
 const hue = (a, b) => (a === 0 && b === 0 ? 0 : ((Math.atan2(b, a) * 180) / Math.PI + 360) % 360);
-/** In the order of Sharma, Wu and Dalal. */
+/** The difference CIEDE2000, in the order of Sharma, Wu and Dalal. */
 function difference([l1, a1, b1], [l2, a2, b2]) {
   const seventh = (c) => Math.sqrt(c ** 7 / (c ** 7 + 25 ** 7));
   const stretch = 1.5 - 0.5 * seventh((Math.hypot(a1, b1) + Math.hypot(a2, b2)) / 2);

@@ -1,5 +1,5 @@
-// The programs of "In code", of every lesson with every example and choice: all of them run, and print what the query
-// protocol answers to the same question, or what the lesson computes where its question is none of the protocol.
+// The programs of "In code", of every lesson with every example and choice: all of them run, and print the answer of
+// the query protocol to the same question, or the numbers that the lesson computes where its question is none of it.
 //
 //   node tests/snippets.mjs               JavaScript runs with the npm package of bindings/js/dist; C++ is compiled
 //   LIBGRAZE=build/release/src/libgraze.a C++ is linked with it, and runs
@@ -21,7 +21,7 @@ const start = performance.now();
 const lab = fileURLToPath(new URL("..", import.meta.url)), top = join(lab, "../..");
 const folder = mkdtempSync(join(tmpdir(), "graze-snippets-"));
 process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
-// What stands in `folder` finds the npm package under its name.
+// Programs in `folder` find the npm package under its name.
 mkdirSync(join(folder, "node_modules"));
 symlinkSync(join(top, "bindings/js/dist"), join(folder, "node_modules/graze"));
 
@@ -42,7 +42,7 @@ const graze = await import(new URL("../../../bindings/js/dist/double.js", import
 await graze.init();
 const { lessons } = await imported("lab/lessons.mjs"), { codeOf } = await imported("lab/code.mjs");
 
-/** Every state that a button of the lesson leads to from its start. */
+/** The states to which the buttons of the lesson lead from its start. */
 function statesOf(lesson) {
   const chosen = (lesson.choices ?? []).flatMap(({ key, label, options }) => options.map((option) => ({
     label: `${label}: ${option.label}`, state: { ...lesson.start, choice: { ...lesson.start.choice, [key]: option.value } } })));
@@ -56,7 +56,7 @@ function answer(question, language) {
   if (!answers.has(place)) answers.set(place, JSON.parse(from(key)));
   return answers.get(place);
 }
-/** What a program prints, in its order. */
+/** The numbers that a program prints, in its order. */
 function printed(question, language) {
   const told = answer(question, language);
   assert.ok(!told.error, told.error);
@@ -98,7 +98,7 @@ for (const [language, list] of Object.entries(all)) for (const [i, program] of l
   }
 }
 
-// --- What they print ---
+// --- Their output ---
 
 let failed = 0;
 const troubled = new Set();

@@ -17,7 +17,7 @@ const how: Record<Kind, string> = {
   looseOctree: "Cells halve again and again, each twice as large as it has to be, so that every body has one cell by its size and centre.",
   bsp: "Planes along the axes cut space into two, again and again: a k-d tree over the boxes.",
 };
-/** What is drawn of each; of sorted ends there is nothing in space. */
+/** The parts that are drawn of each structure; sorted ends have none in space. */
 const drawn: Record<Kind, string> = {
   dynamicTree: "The lines are the bounds of its nodes: up to eight boxes or nodes are in each, and they may overlap.",
   sortAndSweep: "It has no boxes of its own that could be drawn: a list of ends is all there is.",
@@ -45,7 +45,7 @@ interface Frame { boxes: Bounds[]; pairs: Uint32Array; parts: Part[]; tests: num
 interface Run { frames: Frame[]; /** Of a frame: browsers' clocks are too coarse for a single one. */ micros: number }
 const kept = new Map<string, Run>();
 
-/** Where the bodies are in a frame: there and back between walls; or somewhere else altogether in each. */
+/** The boxes of a frame: bodies that move there and back between walls, or are somewhere else altogether in each. */
 function boxesAt(scene: string, at: number): Bounds[] {
   return bodies(scene).map(({ center, half, velocity }, i) => {
     const place = center.map((c, k) => {
@@ -82,7 +82,7 @@ function run(kind: Kind, scene: string): Run {
   return result;
 }
 
-/** A structure over the boxes of the first frame, which is asked and never changed. */
+/** A structure over the boxes of the first frame, which is queried and never changed. */
 interface Standing { phase: graze.BroadPhase; parts: Part[]; /** The parts as boxes that can be asked for themselves. */ around: graze.BroadPhase }
 const standing = new Map<string, Standing>();
 function stand(kind: Kind, scene: string): Standing {
@@ -131,7 +131,7 @@ function drawBodies(d: Drawing, boxes: Bounds[], meaning: (id: number) => Meanin
 }
 const situation = (scene: string, kind: Kind = "dynamicTree", at: Vec = [-0.9, 1.2, -0.1]): State => ({
   q: { query: "overlap", a: { shape: box(1, 1, 1) }, b: { shape: box(1, 1, 1) } }, choice: { kind, scene, x: at[0], y: at[1], z: at[2] } });
-/** The box that asks. */
+/** The box of the query. */
 const asking = (state: State): { at: Vec; lower: Vec; upper: Vec } => {
   const at = ["x", "y", "z"].map((k) => Number(state.choice?.[k] ?? 0));
   return { at, lower: at.map((x) => x - 0.75), upper: at.map((x) => x + 0.75) };

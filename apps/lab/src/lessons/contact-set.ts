@@ -14,13 +14,13 @@ const situation = (translation: Vec, rotation: Vec): State => ({
 
 const told = (before: number, after: number): string =>
   before === after ? "The number of corners stays." : after === 0 ? "Nothing is left." : `Of ${before} corners it makes ${after}.`;
-/** The ends of a box's edge, of the half of a feature id that names one: low · 127 + high of two corners. */
+/** The ends of a box's edge by the half of a feature id that names one: low · 127 + high of two corners. */
 function edgeOf(body: Body, bits: number): [Vec, Vec] {
   const half = scale(sizeOf(body.shape), 0.5), edge = bits & 0x3fff;
   const corner = (i: number): Vec => toWorld(body, half.map((x, k) => (i & (1 << k) ? x : -x)));
   return [corner(Math.floor(edge / 127)), corner(edge % 127)];
 }
-/** Both edges of a point that two edges make. */
+/** The two edges that make a point. */
 function crossing(q: State["q"], feature: string): { a: [Vec, Vec]; b: [Vec, Vec] } | null {
   const id = Number.parseInt(feature, 16), [a, b] = [Math.floor(id / 65536), id & 0xffff];
   return a >> 14 === 2 && b >> 14 === 2 ? { a: edgeOf(q.a, a), b: edgeOf(q.b!, b) } : null;
@@ -42,7 +42,7 @@ function leastByEdges({ a, b }: State["q"], axes: Axis[]): { name: string; overl
   const nearest = ask({ query: "distance", a: { shape: convex(edges.a) }, b: { shape: convex(edges.b) } });
   return { name: least.name, overlap: least.overlap, edges, at: { a: nearest.a as unknown as Vec, b: nearest.b as unknown as Vec } };
 }
-/** What would be left of the points if the least overlap alone decided. */
+/** The points that would be left if the least overlap alone decided. */
 function withoutPreference(q: State["q"], { trace, manifolds }: Answer): Step {
   const least = leastByEdges(q, trace.axes), points = manifolds?.[0]?.points ?? [];
   const goes = least !== null && points.length > 1;
@@ -97,7 +97,8 @@ export const contactSet: Lesson = {
     }];
     if (!manifold) return steps;
     if (state.choice?.faces === "least") return [...steps, withoutPreference(q, answer)];
-    // One point of two edges on the axis of their product: the nearest points of the edges, whatever cutting would find too.
+    // One point of two edges on the axis of their product: the nearest points of the edges, whatever clipping would
+    // find.
     const edges = manifold.points.length === 1 && answer.trace.winner?.includes("×") ? crossing(q, manifold.points[0].feature) : null;
     const faces = edges ? undefined : answer.trace.faces, cuts = edges ? [] : (answer.trace.cuts ?? []);
     const near = (face: Vec[], p: Vec): number => Math.min(...face.map((x) => length(sub(x, p))));

@@ -17,7 +17,7 @@ const bounds = (list: EpaStep[], at: number): Step["graph"] => ({
   series: [{ name: "at least", meaning: "made", values: list.map((s) => s.faceDepth) }, { name: "at most", meaning: "touch", values: list.map((s) => s.foundDepth) }],
 });
 
-/** What a step proves. The way out of B ⊖ A goes against the normal, which points from A to B. */
+/** The proof of a step. The way out of B ⊖ A goes against the normal, which points from A to B. */
 function explain(s: EpaStep, last: boolean, flat: boolean): string {
   const [face, wall] = flat ? ["side", "line"] : ["triangle", "plane"];
   return `The ${face} nearest to O is ${digits(s.faceDepth, 5)} away. The polytope lies within the difference, so no way out is shorter. ` +

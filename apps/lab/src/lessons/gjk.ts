@@ -41,9 +41,9 @@ function drawBounds(d: Drawing, zero: Vec, n: Vec, beyond: number, lower: number
 interface Situation {
   q: Question;
   paint: (d: Drawing) => void;
-  /** Where the origin of the difference is drawn. */
+  /** The place at which the origin of the difference is drawn. */
   zero: Vec;
-  /** More digits of places that are far away. */
+  /** Further digits, for places that are far away. */
   more?: number;
 }
 
@@ -170,7 +170,7 @@ const planeState = (translation: Vec, rotation: number, b = convex([[-1.1, -0.5]
   q: { query: "distance", dimension: 2, a: { shape: a }, b: { shape: b, translation, rotation } },
 });
 
-/** How far the picture follows A, when it is far from the origin. */
+/** The way by which the picture follows A, when it is far from the origin. */
 const away = (q: Question): Vec => {
   const at = q.a.translation ?? [0, 0];
   return length(at) > 100 ? at.map((x) => 10 * Math.round(x / 10)) : [0, 0];
@@ -209,7 +209,7 @@ const spaceState = (translation: Vec, rotation: Vec): State => ({
     b: { shape: { type: "cylinder", cylinder: { height: 1.4, radiusBottom: 0.6, radiusTop: 0.25 } }, translation, rotation } },
 });
 const armsSpace = { a: [1.5, 0, 0], b: [0, 1.2, 0] };
-/** Where the origin of the difference is drawn in space. */
+/** The place in space at which the origin of the difference is drawn. */
 const homeSpace: Vec = [0.4, -2.6, 0];
 
 export const gjkSpace: Lesson = {

@@ -19,7 +19,7 @@ const shapes: Record<string, Vec> = { egg: [1.3, 0.9, 0.9], needle: [2, 0.02, 0.
 interface Layers { vertices: Vec[]; layers: graze.HullLayer[] }
 interface Built { hull: graze.ConvexHull; layers: Layers; micros: number; built: number }
 const kept = new Map<string, Built>();
-/** The hull, and how long one of its support queries takes on this machine. */
+/** The hull, and the time of one of its support queries on this machine. */
 function built(count: number, form: string): Built {
   const key = `${count} ${form}`;
   let made = kept.get(key);
@@ -37,7 +37,7 @@ function built(count: number, form: string): Built {
   }
   return made;
 }
-/** Of more points than this a layer's edges are drawn only where the search comes by. */
+/** The number of points above which a layer's edges are drawn only where the search comes by. */
 const legible = 450;
 /** The edges of a layer, or those of them that have an end among some vertices. */
 function drawLayer(d: Drawing, { vertices, layers }: Layers, at: number, meaning: Meaning, look: Look, near?: Set<number>): void {

@@ -1,4 +1,4 @@
-// What a lesson is: data, and for each step a drawing. CONTRIBUTING.md says how to add one.
+// A lesson: data, and for each step a drawing. CONTRIBUTING.md explains how to add one.
 
 import { ask } from "../graze.ts";
 import type { Programs } from "../parts/code.ts";
@@ -11,18 +11,18 @@ import { sizeOf, withBody, type Body, type Question, type State, type Vec } from
 
 export interface Step {
   title: string;
-  /** At most 120 words. */
+  /** The words of the step, at most 120. */
   text: string;
-  /** As text of parts/math.ts: with letters, then with the present numbers. */
+  /** Formulas as text of parts/math.ts: with letters, then with the present numbers. */
   formula?: string[];
   numbers?: Numbers;
   graph?: Graph;
-  /** What the drawing shows, for those who do not see it. */
+  /** The drawing in words, for those who do not see it. */
   says: string;
   draw(drawing: Drawing): void;
 }
 
-/** A step that is made when it is shown first: those that ask the library again cost a drag nothing while another is shown. */
+/** A step that is made when it is shown first: while another step is shown, a drag pays nothing for its queries. */
 export function later(make: () => Step): Step {
   let made: Step | undefined;
   const step = (): Step => (made ??= make());
@@ -39,7 +39,7 @@ export function later(make: () => Step): Step {
 
 export interface Example {
   label: string;
-  /** What to look at. */
+  /** A hint at what to look at. */
   note: string;
   state: State;
 }
@@ -54,7 +54,7 @@ export interface Choice {
 export interface Bits {
   key: string;
   label: string;
-  /** What each bit says, the lowest first. */
+  /** The meaning of each bit, the lowest first. */
   names: string[];
 }
 
@@ -65,17 +65,17 @@ export interface Code {
 }
 
 export interface Lesson {
-  /** In the address. */
+  /** The name in the address. */
   id: string;
   number: number;
   title: string;
-  /** What the lesson answers. */
+  /** The question that the lesson answers. */
   question: string;
   /** Two or three sentences before the first step. */
   intro: string;
-  /** Of a function: another stage whenever what it gives changes. */
+  /** The dimension; where a function gives it, each change of its result brings another stage. */
   dimension: 2 | 3 | ((state: State) => 2 | 3);
-  /** Of a function: looked at anew whenever what it gives changes. */
+  /** The view; where a function gives it, each change of its result moves the camera. */
   view: View | ((state: State) => View);
   start: State;
   choices?: Choice[];
@@ -86,9 +86,10 @@ export interface Lesson {
   steps(state: State): Step[];
   tryThis: Example[];
   wrong: Example[];
-  /** The question of "copy as a question" and "in code"; default: the state's. None where the protocol has no words. */
+  /** The question of "copy as a question" and "in code"; default: the state's. None where the protocol has no such
+   *  query. */
   asks?(state: State): Question | undefined;
-  /** "In code" where the lesson's question is none of the protocol; default: the question's programs. */
+  /** The programs of "In code" where the lesson's question is none of the protocol; default: those of the question. */
   code?(state: State): Code;
   sources: string[];
 }
@@ -103,7 +104,7 @@ export const moveHandle = (state: State, which: Which): Handle => ({
   at: state.q[which]?.translation ?? (state.q.dimension === 2 ? [0, 0] : [0, 0, 0]),
 });
 
-/** The handle stands at `arm` of the body's frame. */
+/** The handle that turns a body, at `arm` in the body's frame. */
 export const turnHandle = (state: State, which: Which, arm: Vec): Handle => {
   const body = state.q[which]!;
   return {
@@ -124,7 +125,7 @@ export const sizeHandle = (state: State, which: Which): Handle => {
 
 const tidy = (v: Vec): Vec => v.map((x) => Number(x.toPrecision(12)));
 
-/** What the handles above do. `arms` are those of `turnHandle`. */
+/** The state after a drag of one of the handles above. `arms` are those of `turnHandle`. */
 export function dragBody(state: State, id: string, to: Vec, arms: Partial<Record<Which, Vec>> = {}): State {
   const [what, which] = id.split("-") as [string, Which];
   return withBody(state, which, (body) => {
@@ -157,7 +158,7 @@ export function drawBodies(drawing: Drawing, q: Question, ghost = false): void {
   for (const which of ["a", "b"] as const)
     if (q[which]) drawing.shape(q[which]!, which as Meaning, { ghost });
 }
-/** Where two bodies touch: the point of either and the way between them, and the normal from the middle of a manifold. */
+/** The contact of two bodies: the point of either and the way between them, and the normal from a manifold's middle. */
 export function drawContacts(drawing: Drawing, manifolds: DrawnManifold[]): void {
   for (const manifold of manifolds) {
     manifold.points.forEach((p, i) => drawDistance(drawing, p, { look: { key: `point-${i}` } }));
@@ -165,7 +166,7 @@ export function drawContacts(drawing: Drawing, manifolds: DrawnManifold[]): void
   }
 }
 
-/** How far a point lies along a unit vector: the scalar product, as the library measures the point's distance from the
+/** The height of a point along a unit vector: the scalar product, as the library measures the point's distance from the
  *  plane (in the plane: the line) through the origin across the vector. */
 export function along(u: Vec, p: Vec): number {
   const flat = p.length === 2;

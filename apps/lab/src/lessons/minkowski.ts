@@ -7,7 +7,7 @@ import { add, dot, length, mix, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, copy, type Body, type Question, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
-/** Where the origin of the difference is drawn, so that it lies beside the shapes. */
+/** The place at which the origin of the difference is drawn, so that it lies beside the shapes. */
 const home: Vec = [1, -4.6];
 const arms = { a: [1.5, 0], b: [1.5, 0] };
 const situation = (translation: Vec, rotation: number, direction: Vec = [0.8, 0.6]): State => ({
@@ -16,7 +16,7 @@ const situation = (translation: Vec, rotation: number, direction: Vec = [0.8, 0.
   choice: { what: "difference", x: direction[0], y: direction[1] },
 });
 
-/** All points a − are mirrored, so that the difference with B is the sum. */
+/** The body with all points a of it mirrored to −a, so that the difference with B is the sum. */
 function mirrored(body: Body): Body {
   return { shape: convex(corners(body, 9).map((p) => scale(p, -1))) };
 }
@@ -33,11 +33,12 @@ function support(body: Body, direction: Vec): Vec {
 
 const row = (p: Vec): string => vector(p, 4).replace("(", "[").replace(")", "]");
 const flat = (p: Vec): Vec => [p[0], p[1]];
-/** A point of the difference B − A, where it is drawn. */
+/** The place at which a point of the difference B − A is drawn. */
 export const place = (s: Support): Vec => add(home, flat(sub(s.b, s.a)));
 export { home };
 
-/** Where on an outline, as the number of a corner and the part of the way to the next, the point nearest to another lies. */
+/** The place on an outline of the point nearest to another: the number of a corner and the part of the way to the
+ *  next. */
 function nearestOn(outline: Vec[], to: Vec): number {
   let best = 0, least = Infinity;
   outline.forEach((p, k) => {
@@ -47,7 +48,7 @@ function nearestOn(outline: Vec[], to: Vec): number {
   });
   return best;
 }
-/** The point there of which A and B have a part each. */
+/** The point at a place of the outline, made of a part of A and one of B. */
 function pointAt(corners: Support[], at: number): Support {
   const k = Math.floor(at) % corners.length, next = corners[(k + 1) % corners.length];
   return { a: mix(corners[k].a, next.a, at - Math.floor(at)), b: mix(corners[k].b, next.b, at - Math.floor(at)) };
@@ -60,11 +61,11 @@ export function drawOrigin(d: Drawing, at: Vec = home): void {
   d.text(at, "O", "ink");
 }
 
-/** B in touch with A where the outline has the point: the outline as far as it grew, and where B was at each corner. */
+/** B in touch with A at a point of the outline: the outline as far as it grew, and the places of B at its corners. */
 function sliding(state: State, corners: Support[]): Step {
   const at = slideOf(state), sum = state.choice?.what === "sum", shape = corners.map(place), b = state.q.b!, made = pointAt(corners, at);
   const passed = shape.slice(0, Math.floor(at) + 1);
-  /** Where B is when it makes a point of the outline. Of the sum it is carried by A's point instead, beside O. */
+  /** B where it makes a point of the outline. In the sum A's point carries it instead, beside O. */
   const moved = (s: Support): Body => ({ ...b, translation: add(b.translation!, sum ? sub(home, flat(s.a)) : sub(flat(s.a), flat(s.b))) });
   const apart = sum ? null : ask({ ...state.q, b: moved(made) }).distance!;
   return {

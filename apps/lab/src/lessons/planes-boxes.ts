@@ -27,7 +27,7 @@ function threePoints(s: State): Vec[] {
     return kept.every((x) => typeof x === "number") ? kept as Vec : toWorld(s.q.a, [[-1.5, 0, 1], [1.5, 0, 1], [0.2, 0, -1.5]][i]);
   });
 }
-/** Points are on a line when the sine of the angle between two sides falls below this: the product's digits are then rounding. */
+/** The sine of the angle between two sides below which points are on a line: the product's digits are then rounding. */
 const flat = 1e-9;
 function onALine([p, q, r]: Vec[]): boolean {
   const u = sub(q, p), v = sub(r, p);
@@ -42,7 +42,7 @@ function withPoints(state: State, points: Vec[]): State {
   }
   return next;
 }
-/** The points of a plane that has been moved otherwise are of the past. */
+/** Forgets the three points of a plane that has been moved otherwise. */
 function forgetPoints(state: State): State {
   const next = copy(state);
   for (const name of names) for (const k of [0, 1, 2]) delete next.choice?.[`${name}${k}`];
@@ -65,7 +65,7 @@ function dragPlane(state: State, id: string, to: Vec): State {
 }
 const row = (v: Vec): string => `[${v.map((x) => digits(Math.abs(x) < 1e-15 ? 0 : x, 3)).join(", ")}]`;
 
-/** How the plane is given, with its numbers. */
+/** The ways to give the plane, with its numbers. */
 function given(state: State, base: (d: Drawing) => void): Step {
   const n = normalOf(state), w = distanceOf(state), by = state.choice?.by ?? "point";
   if (by === "points") {

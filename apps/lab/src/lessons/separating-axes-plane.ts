@@ -15,7 +15,7 @@ const situation = (translation: number[], rotation: number, a: Body["shape"] = b
 const flat = (v: Vec): Vec => [v[0], v[1]];
 const isBox = (body: Body): boolean => body.shape.type === "box";
 
-/** What of the shadows is drawn: so many corners of each body, all unless told; what they share or leave free. */
+/** The parts of the shadows that are drawn: so many corners of each body, else all; the overlap, or the gap. */
 interface Shown {
   corners?: [number, number];
   verdict?: boolean;
@@ -56,10 +56,10 @@ export const axisTable = (axes: Axis[], now: string, winner?: string): Step["num
     mark: x.name === winner ? "winner" : x.overlap < 0 ? "out" : x.name === now ? "now" : undefined,
   })),
 });
-/** "overlap 0.6" or "gap 0.2". */
+/** The overlap or gap in words: "overlap 0.6" or "gap 0.2". */
 export const verdict = (axis: Axis, significant = 4): string =>
   `${axis.overlap < 0 ? "gap" : "overlap"} ${digits(Math.abs(axis.overlap), significant)}`;
-/** What the axis' shadows say, with letters and with numbers. Axes of a trace point from A towards B. */
+/** The verdict of an axis by its shadows, with letters and with numbers. Axes of a trace point from A towards B. */
 export const verdictFormula = (x: Axis): string[] => x.overlap < 0
   ? ['"gap" = "min"_B - "max"_A', `"gap" = ${digits(x.b[0], 5)} - ${bracket(x.a[1])} = ${digits(-x.overlap, 5)}`]
   : ['"overlap" = "max"_A - "min"_B', `"overlap" = ${digits(x.a[1], 5)} - ${bracket(x.b[0])} = ${digits(x.overlap, 5)}`];
@@ -67,16 +67,16 @@ const bracket = (x: number | string): string => (Number(x) < 0 ? `(${digits(x, 5
 /** The axis whose overlap is least, or whose gap is widest. */
 export const leastOf = (axes: Axis[]): Axis => axes.reduce((best, x) => (x.overlap < best.overlap ? x : best));
 
-/** "the normal of B's side 2" of "B edge 2"; the two axes of a box are those of two sides each. */
+/** An edge in words: "the normal of B's side 2" for "B edge 2"; the two axes of a box are those of two sides each. */
 function inWords(name: string): string {
   const [whose, , side] = name.split(" ");
   return side === undefined ? `the normal of two sides of ${name[0]}` : `the normal of ${whose}'s side ${side}`;
 }
-/** Rounding of what is zero is shown as zero. */
+/** A number in which the rounding of zero is shown as zero. */
 const tidy = (x: number, n = 4): string => digits(Math.abs(x) < 1e-15 ? 0 : x, n);
 const row = (v: Vec, n = 4): string => `[${v.map((x) => tidy(x, n)).join(", ")}]`;
 
-/** The first axis: corner by corner, then, of boxes, without corners. */
+/** The steps of the first axis: corner by corner, then, for boxes, without corners. */
 function slowly(axis: Axis, bodies: Body[], paint: (d: Drawing) => void): Step[] {
   const u = flat(axis.direction), steps: Step[] = [], lists = bodies.map((body) => corners(body, 9));
   const whose = ["A", "B"];
@@ -126,7 +126,7 @@ function slowly(axis: Axis, bodies: Body[], paint: (d: Drawing) => void): Step[]
   return steps;
 }
 
-/** What the axes say of the distance, and what it is. */
+/** The bounds of the distance by the axes, and the distance. */
 function farApart({ q }: State, axes: Axis[]): Step[] {
   const { winner } = ask(q).trace, best = leastOf(axes), bodies = [q.a, q.b!];
   const steps: Step[] = [{

@@ -5,8 +5,8 @@ import type { Lesson, Step } from "./lesson.ts";
 
 const boxes = 10, rate = 60, every = 6, frames = 10;
 const size: Vec = [1, 1, 1];
-/** Sub-steps of a step: so many, or four and up to sixteen where an island bears much, which is what the library does
- *  unless it is told. */
+/** The numbers of sub-steps of a step, or "auto", the library's default: four, and up to sixteen where an island bears
+ *  much. */
 const efforts = ["1", "2", "4", "8", "16", "auto"] as const;
 type Effort = (typeof efforts)[number];
 const masses = [1, 10, 100, 1000];
@@ -17,7 +17,7 @@ const settings = (effort: Effort): graze.SimulationSettings =>
 interface Frame { poses: { translation: Vec; rotation: Vec }[]; deepest: number; mean: number; residual: number; contacts: number; subSteps: number }
 interface Run { start: Frame["poses"]; frames: Frame[] }
 const kept = new Map<string, Run>();
-/** Ten boxes on a floor, each a little beside the one below, for a second: what the solver reports, and where they are. */
+/** Ten boxes on a floor, each a little beside the one below, for a second: the solver's report, and their places. */
 function run(effort: Effort, mass: number, friction: number): Run {
   const key = `${effort} ${mass} ${friction}`;
   const known = kept.get(key);
@@ -47,7 +47,7 @@ const chosen = (state: State): { effort: Effort; mass: number; friction: number 
   friction: Number(state.choice?.friction ?? 0.6),
 });
 const top = (poses: Frame["poses"]): Vec => poses[boxes - 1].translation;
-/** How far a place is from another along X, Y and Z. */
+/** The way of a place from another along X, Y and Z. */
 const moved = (from: Vec, to: Vec): Vec => to.map((x, i) => x - from[i]);
 
 export const stack: Lesson = {

@@ -14,7 +14,7 @@ const situation = (a: Shape, from: Vec, linear: Vec, angular: number, b: Shape =
 });
 const frames = 4;
 
-/** What a body that does not turn sweeps: the hull of its two ends, of a circle that of the two centres, rounded. */
+/** The space that an unturned body sweeps: the hull of its two ends; for a circle, that of its centres, rounded. */
 function swept(from: Body, to: Body): Body {
   if (from.shape.type === "circle") return { shape: { ...convex([from.translation!, to.translation!]), margin: radiusOf(from.shape) } };
   return { shape: convex([...corners(from, 9), ...corners(to, 9)]) };

@@ -6,24 +6,25 @@ import type { Vec } from "../question.ts";
 import type { Drawing, Look, Meaning } from "./drawing.ts";
 import { add, scale } from "./vec.ts";
 
-/** What the library's colours are called here. What moves is drawn as what an algorithm makes: the scene has its own. */
+/** The lab's names for the library's colours. Moving things have the colour of an algorithm's, as scenes have their
+ *  own. */
 const usual: Partial<Record<graze.DrawMeaning, Meaning>> = {
   a: "a", b: "b", contact: "touch", normal: "axis", gap: "touch", bounds: "ink", path: "made", ghost: "made", moving: "made",
   touching: "made", joint: "ink" };
 
-/** How answers are drawn, beyond what the library says. */
+/** Settings of a drawing of answers, beyond those of the library. */
 export interface Marks {
   /** Twelve times as long as an arrow; how far a ray without an end is drawn. */
   size?: number;
   center?: Vec;
-  /** Of lines, and of points unless `points` says how those look, in their order. */
+  /** The look of lines, and of points unless `points` gives those, in their order. */
   look?: Look;
   points?: (number: number) => Look;
   /** The colours of points of contact, in their order; null for those that are not drawn. */
   contact?: (number: number) => Meaning | null;
-  /** What stands beside a normal. */
+  /** The words beside a normal. */
   label?: string;
-  /** Other colours than usual; null for what is not drawn. */
+  /** Other colours than usual; null for things that are not drawn. */
   as?: Partial<Record<graze.DrawMeaning, Meaning | null>>;
 }
 
@@ -54,14 +55,14 @@ export interface DrawnManifold {
 const drawsOf = (flat: boolean): Pick<typeof graze.draw, "contacts" | "distance" | "ray" | "cast"> =>
   (flat ? graze.plane.draw : graze.draw) as typeof graze.draw;
 
-/** The points of a manifold, and its normal from their middle. Of vectors of two numbers in the plane. */
+/** Draws the points of a manifold, and its normal from their middle; in the plane where vectors have two numbers. */
 export const drawManifold = (d: Drawing, manifold: DrawnManifold, marks?: Marks): void =>
   drawsOf(manifold.normal.length === 2).contacts(manifold, onto(d, marks));
-/** The shortest way between two shapes, or out of each other, and its ends. */
+/** Draws the shortest way between two shapes, or out of each other, and its ends. */
 export const drawDistance = (d: Drawing, { a, b }: { a?: unknown; b?: unknown }, marks?: Marks): void =>
   drawsOf((a as Vec).length === 2).distance({ a, b } as { a: graze.Vec3; b: graze.Vec3 }, onto(d, marks));
 export const drawRay = (d: Drawing, ray: graze.Ray, hit: Pick<graze.RayHit, "t" | "point" | "normal"> | null, marks?: Marks): void =>
   drawsOf(ray.origin.length === 2).ray(ray, hit, onto(d, marks));
-/** The edges of a box along the axes. */
+/** Draws the edges of a box along the axes. */
 export const drawBounds = (d: Drawing, box: { lower: Vec; upper: Vec }, meaning: Meaning, look?: Look): void =>
   graze.draw.bounds(box as graze.Aabb, onto(d, { look, as: { bounds: meaning } }));

@@ -10,10 +10,10 @@ import {
 } from "../question.ts";
 
 export type Language = "C++" | "Python" | "JavaScript";
-/** Without a language that has no call for the question. */
+/** The programs, without those in languages that have no call for the question. */
 export type Programs = Partial<Record<Language, string>>;
 
-// --- What all three languages share ---
+// --- The parts that all three languages share ---
 
 /** A shape as the call that makes it, under the names of C++. */
 interface Made {
@@ -24,7 +24,7 @@ interface Made {
 
 /** Shapes of space whose measures the protocol has defaults for. */
 const withDefaults = ["box", "sphere", "capsule", "cylinder"];
-/** The measures that are not given are those of the protocol. Nothing of a shape that takes more than one call. */
+/** The call that makes a shape, with the protocol's defaults. Nothing for a shape that takes more than one call. */
 function made(shape: Shape, flat: boolean): Made | undefined {
   const said = withDefaults.includes(shape.type) && !flat ? whole(shape) : shape;
   const m = measures<{ height: number; radiusBottom: number; radiusTop: number; radii: Vec; sizeX?: number; sizeZ?: number }>(said);
@@ -52,13 +52,13 @@ function made(shape: Shape, flat: boolean): Made | undefined {
 const isZero = (v?: Vec | number): boolean => v === undefined || (typeof v === "number" ? v === 0 : v.every((x) => x === 0));
 const isTurned = (rotation: Body["rotation"]): boolean =>
   Array.isArray(rotation) ? rotation.slice(0, 3).some((x) => x !== 0) : !isZero(rotation);
-/** Whether a vector or quaternion is as long as twelve digits can say; the protocol makes unit what is not. */
+/** Whether a vector or quaternion is unit up to twelve digits; the protocol makes all others unit. */
 const isUnit = (v: Vec): boolean => Math.abs(Math.hypot(...v) - 1) < 4e-12;
 const unit = (v: Vec): Vec => (isUnit(v) ? v : v.map((x) => x / Math.hypot(...v)));
 const zeros = (flat: boolean): Vec => (flat ? [0, 0] : [0, 0, 0]);
 const massOf = (body: Body): number => (body.mass === "infinity" ? Infinity : Number(body.mass));
 
-/** How a language breaks a list over lines: by how much its items are indented, and whether its end has its own line. */
+/** The way in which a language breaks a list over lines: the indent of items, and whether its end has its own line. */
 interface Breaks { step: string; ends: boolean }
 /** Items between brackets, on as many lines as they need; `indent` is that of the line on which they begin. */
 function list(items: string[], [open, close]: string, { step, ends }: Breaks, indent = "", space = ""): string {
@@ -161,7 +161,7 @@ function javascript(q: Question): string | undefined {
 function python(q: Question): string | undefined {
   const breaks: Breaks = { step: "    ", ends: true };
   if (q.query === "response") {
-    // The package answers this one as the protocol's question.
+    // The package answers this query as a question of the protocol.
     const value = (x: unknown, indent = "    "): string => {
       if (Array.isArray(x)) return `[${x.join(", ")}]`;
       if (typeof x !== "object" || x === null) return JSON.stringify(x);

@@ -5,11 +5,11 @@ import { color } from "./theme.ts";
 import type { Solid } from "./solid.ts";
 import type { Meaning } from "./drawing.ts";
 
-/** What a body looks like; of those with the same key one is made. */
+/** The look of a body; bodies with the same key share one. */
 export interface Looks {
   key: string;
   make: () => Solid;
-  /** Without an end, or a trigger: drawn to be seen through. */
+  /** Whether it is translucent: a shape without an end, or a trigger. */
   flat: boolean;
 }
 interface Batch { mesh: THREE.InstancedMesh; bodies: number[] }
@@ -20,7 +20,7 @@ export class Crowd {
   private meanings: Meaning[] = [];
   private special: ReadonlyMap<number, Meaning> = new Map();
 
-  /** Other bodies than before. */
+  /** Replaces the bodies. */
   set(looks: Looks[], meanings: Meaning[]): void {
     this.dispose();
     this.meanings = meanings;
@@ -41,7 +41,7 @@ export class Crowd {
     }
     this.paint();
   }
-  /** Seven numbers a body: translation and quaternion. Of those that are not `there`, if said, nothing is seen. */
+  /** Moves the bodies: seven numbers each, translation and quaternion. With `there`, bodies not in it are hidden. */
   move(poses: ArrayLike<number>, there?: ReadonlySet<number>): void {
     const matrix = new THREE.Matrix4(), at = new THREE.Vector3(), turn = new THREE.Quaternion();
     const one = new THREE.Vector3(1, 1, 1), none = new THREE.Vector3(0, 0, 0);
@@ -56,7 +56,7 @@ export class Crowd {
       mesh.boundingSphere = null;
     }
   }
-  /** The meaning of bodies other than usual. */
+  /** Paints bodies whose meaning is another than usual. */
   paint(special: ReadonlyMap<number, Meaning> = new Map()): void {
     this.special = special;
     this.repaint();

@@ -1,12 +1,12 @@
-// What stands beside a drawing: to its left and to its right. On a phone both are a drawer, closed at first: the drawing is
-// alone until somebody opens it.
+// The columns beside a drawing, to its left and to its right. On a phone both are a drawer, closed at first: the
+// drawing is alone until somebody opens it.
 
 import { button, h } from "./dom.ts";
 
 export interface Drawer {
   left: HTMLElement;
   side: HTMLElement;
-  /** Opens and closes both; there is none where they have room. */
+  /** Opens and closes both; it is not there where they have room. */
   handle: HTMLElement;
 }
 export function drawer(before: Node[], after: Node[]): Drawer {

@@ -1,10 +1,10 @@
-// What a lesson draws on: the same words in the plane (stage2) and in space (stage3). Colours are named by what they
+// The canvas of a lesson: the same words in the plane (stage2) and in space (stage3). Colours are named by what they
 // mean, never by their value, so that both themes and every lesson agree.
 
 import type { Body, Vec } from "../question.ts";
 
-/** a, b: the two bodies. touch: what touches or overlaps. axis: normals and axes. out: ruled out. made: what an
- *  algorithm builds. trigger: what only notices. ink: neutral. */
+/** a, b: the two bodies. touch: contacts and overlaps. axis: normals and axes. out: ruled out. made: built by an
+ *  algorithm. trigger: bodies that only report contacts. ink: neutral. */
 export type Meaning = "a" | "b" | "touch" | "axis" | "out" | "made" | "trigger" | "ink";
 
 export interface Look {
@@ -36,7 +36,7 @@ export interface Handle {
   kind: "move" | "turn" | "size";
   meaning: Meaning;
   at: Vec;
-  /** Stands on it in place of the sign of its kind. */
+  /** The sign that stands on it in place of that of its kind. */
   sign?: string;
 }
 
@@ -44,9 +44,9 @@ export interface View {
   center: Vec;
   /** Half of the height that is seen at least. */
   reach: number;
-  /** In space: where the camera stands, seen from the centre. */
+  /** The place of the camera in space, seen from the centre. */
   from?: Vec;
-  /** In space: what is seen lies in the plane z = 0, is looked at from its front, and never turned. */
+  /** Whether the scene lies in the plane z = 0, is looked at from its front, and never turned. */
   flat?: boolean;
 }
 
@@ -58,9 +58,9 @@ export interface Stage {
   onPoint: (key: string | null) => void;
   light(key: string | null): void;
   look(view: View): void;
-  /** How the drawing is looked at where somebody changed that, as numbers for the address; null as `look` has it. */
+  /** The camera where somebody moved it, as numbers for the address; null where it is that of the view. */
   camera: Vec | null;
-  /** After somebody changed that. */
+  /** Called after somebody moved the camera. */
   onCamera: () => void;
   dispose(): void;
 }

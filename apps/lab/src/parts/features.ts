@@ -10,7 +10,7 @@ function half(bits: number, whose: string, flat: boolean): string {
   return whose;
 }
 
-/** "vertex 2 of A × face 1 of B" of the hexadecimal id that the protocol gives. */
+/** A hexadecimal id of the protocol in words: "vertex 2 of A × face 1 of B". */
 export function featureWords(id: string, dimension = 3): string {
   const bits = Number.parseInt(id, 16);
   const flat = dimension === 2;

@@ -7,18 +7,18 @@ function kept(): string[] {
     const ids = JSON.parse(localStorage.getItem("folded") ?? "[]") as unknown;
     return Array.isArray(ids) ? ids.filter((id) => typeof id === "string") : [];
   } catch {
-    return []; // storage is forbidden, or somebody else's
+    return []; // storage is forbidden, or another page's
   }
 }
 function keep(id: string, open: boolean): void {
   try {
     localStorage.setItem("folded", JSON.stringify([...kept().filter((other) => other !== id), ...(open ? [] : [id])]));
   } catch {
-    // It then stays folded as long as the page.
+    // The part stays folded as long as the page.
   }
 }
 
-/** Open until somebody folds it. Parts of one `id` are one to those who look again. */
+/** A part that is open until somebody folds it. Parts of one `id` share that, also on the next visit. */
 export function fold(id: string, title: Node | string, ...content: Node[]): HTMLElement {
   const element = h("details", { class: "fold", "data-fold": id, open: !kept().includes(id),
     ontoggle: () => keep(id, element.open) }, h("summary", {}, title), ...content) as HTMLDetailsElement;

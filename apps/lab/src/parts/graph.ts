@@ -12,7 +12,7 @@ export interface Graph {
   series: Series[];
   /** The step that is shown. */
   at: number;
-  /** The axis begins at the least value: for values that differ by little. */
+  /** Whether the axis begins at the least value: for values that differ by little. */
   close?: boolean;
 }
 

@@ -5,16 +5,16 @@ import type { Handle } from "./drawing.ts";
 import type { Vec } from "../question.ts";
 
 export interface Projection {
-  /** Pixels of the stage. */
+  /** The pixel of the stage at which a point is seen. */
   toScreen(p: Vec): [x: number, y: number];
   /** The point under the pixel; in space, on the plane through `near` that faces the viewer. */
   fromScreen(x: number, y: number, near: Vec): Vec;
-  /** A step of an arrow key. */
+  /** The length of a step of an arrow key. */
   step(): number;
 }
 
 const signs = { turn: "↻", size: "⤢" };
-/** A body is moved by its name. */
+/** The sign of a handle; one that moves a body bears its name. */
 const sign = (handle: Handle): string =>
   handle.sign ?? (handle.kind !== "move" ? signs[handle.kind] : handle.meaning === "a" ? "A" : handle.meaning === "b" ? "B" : "✥");
 

@@ -3,7 +3,7 @@
 import { h } from "./dom.ts";
 import type { Meaning } from "./drawing.ts";
 
-/** What a colour says, and the sign that has it in the drawing. */
+/** The meaning of a colour, and the sign that has it in the drawing. */
 export interface Entry {
   meaning: Meaning;
   sign: "■" | "●" | "→" | "—" | "┄" | "□";
@@ -13,7 +13,7 @@ export interface Layer {
   id: string;
   label: string;
   entries: Entry[];
-  /** Not drawn before somebody switches it on. */
+  /** Whether it is not drawn before somebody switches it on. */
   off?: boolean;
 }
 
@@ -34,7 +34,7 @@ export class Layers {
   has(id: string): boolean {
     return this.boxes.get(id)?.checked ?? false;
   }
-  /** Those that are not as they are at first. */
+  /** The layers that somebody has switched. */
   get switched(): string[] {
     return this.layers.filter(({ id, off }) => this.has(id) === Boolean(off)).map(({ id }) => id);
   }

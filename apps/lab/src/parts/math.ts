@@ -82,7 +82,7 @@ export function formula(text: string): Element {
   return math;
 }
 
-/** Makes a formula that is wider than its place as much smaller, down to what can still be read; the rest is scrolled to. */
+/** Shrinks a formula that is wider than its place, down to what can still be read; the rest can be scrolled to. */
 export function fit(shown: Element): void {
   const smallest = 0.6, { clientWidth, scrollWidth } = shown;
   if (scrollWidth > clientWidth) (shown as HTMLElement).style.fontSize = `${Math.max(smallest, (0.98 * clientWidth) / scrollWidth)}em`;

@@ -28,5 +28,5 @@ export function outlines(body: Body, far: number): Outline[] {
   return made;
 }
 
-/** The corners of all of them. */
+/** The corners of all outlines. */
 export const corners = (body: Body, far: number): Vec[] => outlines(body, far).flatMap((outline) => outline.points);

@@ -10,9 +10,9 @@ export interface Solid {
   edges: THREE.BufferGeometry;
 }
 
-/** Faces that meet at less than this angle, in radians, are the sampling of something smooth. */
+/** The angle in radians below which faces that meet are the sampling of something smooth. */
 const crease = 0.5;
-/** How far a half-space is drawn, unless it is said. */
+/** The size up to which a half-space is drawn by default. */
 const reach = 4;
 
 const geometry = (corners: number[]): THREE.BufferGeometry =>
@@ -27,7 +27,7 @@ function ribbon([fromX, fromY]: Vec, [toX, toY]: Vec, width: number): number[] {
   return [...a, ...b, ...c, ...a, ...c, ...d];
 }
 
-/** What `draw` draws, half-spaces as far as `size`. */
+/** The faces and edges that `draw` draws, half-spaces as far as `size`. */
 export function solidDrawn(draw: (on: graze.Renderer) => void, size = reach): Solid {
   const faces: number[] = [], edges: number[] = [];
   draw({
@@ -37,7 +37,7 @@ export function solidDrawn(draw: (on: graze.Renderer) => void, size = reach): So
   });
   return { faces: toCreasedNormals(geometry(faces), crease), edges: geometry(edges) };
 }
-/** The same of the plane, where a shape may be lines alone: those are as wide as a hundredth of `size`. */
+/** Those of a drawing of the plane, where a shape may be lines alone: lines as wide as a hundredth of `size`. */
 export function flatSolidDrawn(draw: (on: graze.Renderer) => void, size: number): Solid {
   const solid = solidDrawn(draw, size);
   if (solid.faces.getAttribute("position").count > 0) return solid;
@@ -45,7 +45,7 @@ export function flatSolidDrawn(draw: (on: graze.Renderer) => void, size: number)
   for (let i = 0; i < ends.length; i += 6) faces.push(...ribbon(ends.slice(i, i + 3), ends.slice(i + 3, i + 6), size / 100));
   return { ...solid, faces: toCreasedNormals(geometry(faces), crease) };
 }
-/** Of a shape of the protocol, of space or of the plane. */
+/** The faces and edges of a shape of the protocol, of space or of the plane. */
 export function solidOf(shape: Shape, flat = false, size = reach): Solid {
   const made = flat ? planeShapeOf(shape) : shapeOf(shape);
   try {

@@ -61,7 +61,7 @@ export class Stage2 implements Stage, Drawing {
     this.moved = false;
     this.redraw();
   }
-  /** The middle of what is seen, and half of its height. */
+  /** The middle of the picture, and half of its height. */
   get camera(): Vec | null {
     return this.moved ? [...this.view.center, this.view.reach] : null;
   }
@@ -224,7 +224,7 @@ export class Stage2 implements Stage, Drawing {
   }
 }
 
-/** A is hatched to the left and B to the right, so that nobody depends on colours. */
+/** The hatches of A to the left and of B to the right, so that nobody depends on colours. */
 function hatches(): SVGElement {
   const made = svg("defs");
   for (const [name, turn] of [["a", -45], ["b", 45]] as const)

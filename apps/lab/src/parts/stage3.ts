@@ -1,4 +1,4 @@
-// Space: three.js. Drawn when something changed, never otherwise: a still page uses no processor.
+// Space: three.js. It draws when something changed, never otherwise: a still page uses no processor.
 
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -21,8 +21,8 @@ export class Stage3 implements Stage, Drawing {
   onDrag: (id: string, to: Vec, done: boolean) => void = () => {};
   onPoint: (key: string | null) => void = () => {};
   onCamera: () => void = () => {};
-  /** A click: on which body, by its place in the order of `shape` calls, the ray through the pointer, and the key of the
-   *  point that lies there. */
+  /** Called at a click: with the body by its place in the order of `shape` calls, the ray through the pointer, and the
+   *  key of the point there. */
   onPick: (body: number | null, ray: { origin: Vec; direction: Vec }, key: string | null) => void = () => {};
   /** Whether the ground's lines are drawn. */
   hasGrid = true;
@@ -38,7 +38,7 @@ export class Stage3 implements Stage, Drawing {
   private readonly observer: ResizeObserver;
   private readonly stopTheme: () => void;
   private drawn = new THREE.Group();
-  /** Pictures that are no longer seen. */
+  /** Pictures that are to be discarded. */
   private left: THREE.Group[] = [];
   private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look }>();
   private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
@@ -122,7 +122,7 @@ export class Stage3 implements Stage, Drawing {
     this.moved = false;
     this.request();
   }
-  /** Where the camera stands, and what it looks at. */
+  /** The place of the camera, and the point that it looks at. */
   get camera(): Vec | null {
     return this.moved ? [...this.eye.position.toArray(), ...this.controls.target.toArray()] : null;
   }
@@ -138,7 +138,7 @@ export class Stage3 implements Stage, Drawing {
     this.moved = true;
     this.onCamera();
   }
-  /** What lies in the plane is pushed about instead of turned. */
+  /** Whether the pointer pushes the scene about, as in the plane, instead of turning it. */
   private lieFlat(flat: boolean): void {
     this.flat = flat;
     this.controls.enableRotate = !flat;
@@ -272,8 +272,8 @@ export class Stage3 implements Stage, Drawing {
     this.picks = [];
     this.dots = [];
   }
-  /** What was drawn before goes once the next picture is there: its materials' programs, which take tens of milliseconds to
-   *  compile, live as long as somebody uses them. */
+  /** Discards the last picture once the next one is there: its materials' programs, which take tens of milliseconds to
+   *  compile, live as long as a material uses them. */
   private discard(): void {
     for (const group of this.left)
       group.traverse((object) => {
@@ -363,7 +363,7 @@ export class Stage3 implements Stage, Drawing {
   get pointsSeen(): [number, number][] {
     return this.dots.map(({ at }) => this.pixel(at));
   }
-  /** The key of the point nearest to a pixel within so many. */
+  /** The key of the point nearest to a pixel, at most `within` pixels away. */
   private dotAt(x: number, y: number, within: number): string | null {
     let key: string | null = null, least = within;
     for (const dot of this.dots) {

@@ -15,7 +15,7 @@ export function address(path: string, values: Record<string, string>): string {
   return `#${path}${rest ? `?${rest}` : ""}`;
 }
 
-/** The value of the address as JSON, or what is there otherwise: an address can hold anything. */
+/** The value of the address as JSON, or `otherwise`: an address can hold anything. */
 export function parse<T>(text: string | undefined, otherwise: T, accepts: (value: unknown) => boolean): T {
   if (!text) return otherwise;
   try {
@@ -26,7 +26,7 @@ export function parse<T>(text: string | undefined, otherwise: T, accepts: (value
   }
 }
 
-/** The numbers of a camera in an address: as many digits as anybody sees. */
+/** The numbers of a camera in an address, with no more digits than can be seen. */
 export const cameraText = (camera: readonly number[]): string => camera.map((x) => Number(x.toPrecision(6))).join(",");
 export function cameraOf(text: string | undefined): number[] | null {
   const numbers = text?.split(",").map(Number) ?? [];
@@ -48,7 +48,7 @@ export class History<T> {
   constructor(start: T) {
     this.now = JSON.stringify(start);
   }
-  /** A new present; the same again changes nothing. */
+  /** Adds a new present; the same again changes nothing. */
   push(value: T): void {
     const text = JSON.stringify(value);
     if (text === this.now) return;

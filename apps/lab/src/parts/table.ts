@@ -1,4 +1,4 @@
-// The numbers beside a drawing. Rows light up with what is under the pointer in the drawing, and the other way round.
+// The numbers beside a drawing. Rows light up with the part of the drawing under the pointer, and the other way round.
 
 import { digits, h } from "./dom.ts";
 
@@ -6,7 +6,7 @@ export interface Row {
   cells: (string | number)[];
   key?: string;
   mark?: "winner" | "out" | "now";
-  /** Selects what the row is about: its first cell is then a button. */
+  /** Selects the thing that the row is about: its first cell is then a button. */
   choose?: () => void;
 }
 export interface Numbers {
@@ -53,7 +53,7 @@ export class Table {
   }
 }
 
-/** The digits from the first that changed are marked. */
+/** A number with the digits from the first that changed on marked. */
 function changed(before: string | undefined, now: string): (Node | string)[] {
   if (before === undefined || before === now) return [now];
   let same = 0;

@@ -27,7 +27,7 @@ export function choose(next: Theme): void {
     if (next === "system") localStorage.removeItem("theme");
     else localStorage.setItem("theme", next);
   } catch {
-    // The choice then lasts as long as the page.
+    // The choice lasts as long as the page then.
   }
   apply();
 }
@@ -35,7 +35,7 @@ export function startTheme(): void {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", apply);
   apply();
 }
-/** Called whenever colours change; the result ends that. */
+/** Calls `listener` whenever colours change; the result ends that. */
 export function onTheme(listener: () => void): () => void {
   listeners.add(listener);
   return () => listeners.delete(listener);

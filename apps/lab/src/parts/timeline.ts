@@ -2,7 +2,7 @@
 
 import { h } from "./dom.ts";
 
-/** The speeds that there are, of which the first is usual. */
+/** The speeds, of which the first is usual. */
 export const speeds = [1, 0.125, 0.25, 0.5, 2, 4];
 const speedWords = new Map([[0.125, "⅛ ×"], [0.25, "¼ ×"], [0.5, "½ ×"], [1, "1 ×"], [2, "2 ×"], [4, "4 ×"]]);
 export const speedSelect = (): HTMLSelectElement =>
@@ -14,7 +14,7 @@ export class Timeline {
   private count = 1;
   private at = 0;
   private timer: number | undefined;
-  /** How many times as fast as usual it plays. */
+  /** The speed as a multiple of the usual one. */
   private pace = 1;
   private readonly onStep: (step: number) => void;
   private readonly period: number;
@@ -24,7 +24,8 @@ export class Timeline {
   private readonly speeds = speedSelect();
   private readonly where = h("output", { class: "where" });
 
-  /** `period`: milliseconds from one to the next while it plays. `onSpeed`: somebody chose another speed. */
+  /** `period`: milliseconds from one step to the next while it plays. `onSpeed`: called when another speed was
+   *  chosen. */
   constructor(onStep: (step: number) => void, word = "step", period = 900, onSpeed: () => void = () => {}) {
     this.onStep = onStep;
     this.period = period;
@@ -83,7 +84,7 @@ export class Timeline {
     this.play.setAttribute("aria-label", "Pause");
     this.start();
   }
-  /** Faster than pictures are drawn, it leaves some out. */
+  /** Plays; steps faster than pictures are drawn are left out. */
   private start(): void {
     window.clearInterval(this.timer);
     const period = Math.max(this.period / this.pace, 1000 / 60), stride = Math.max(1, Math.round(period / (this.period / this.pace)));

@@ -1,4 +1,4 @@
-// Vectors, rotations and poses of what is drawn and dragged. Answers are the library's: nothing here decides anything.
+// Vectors, rotations and poses for drawing and dragging. Answers are the library's: nothing here decides anything.
 
 import type { Body, Vec } from "../question.ts";
 

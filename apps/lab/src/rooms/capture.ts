@@ -1,5 +1,5 @@
-// A capture: a run of a world or a simulation, frame by frame, forward, back and scrubbed; each frame can be asked as a
-// scene can.
+// A capture: a run of a world or a simulation, frame by frame, forward, back and scrubbed; each frame can be queried as
+// a scene can.
 
 import { button, digits, h, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
@@ -24,7 +24,7 @@ import { Run } from "../scene/run.ts";
 import type { Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
-/** Which frame is shown, which bodies are selected, and how it is played and drawn. */
+/** The frame that is shown, the selected bodies, and the settings of playing and drawing. */
 interface Moment extends Shown {
   frame: number;
 }
@@ -37,11 +37,11 @@ interface Asked {
   numbers: number[];
   pair: AskedPair | null;
 }
-/** Where the capture lies if it is served, and the moment that the address holds. */
+/** The path of the capture if it is served, and the moment in the address. */
 export interface Origin {
   served: Served | null;
   at?: string;
-  /** The camera that the address holds. */
+  /** The camera in the address. */
   view?: string;
 }
 
@@ -113,7 +113,7 @@ export class CaptureRoom implements Room {
   private get now(): CapturedFrame {
     return this.captured.frames[this.frame];
   }
-  /** What the capture holds onto the stage and into the lists. */
+  /** Puts the capture onto the stage and into the lists. */
   private put(): void {
     const { report, scalar, bodies, frames } = this.captured;
     const kind = `${report.simulation ? "simulation" : "world"}${report.plane ? " of the plane" : ""} in ${scalar}`;
@@ -125,13 +125,13 @@ export class CaptureRoom implements Room {
     this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), usual);
     this.chooser.set(bodies);
   }
-  /** Shows the file anew, which has been written once more, where it was shown. */
+  /** Shows a file that has been written once more, at the frame where it was shown. */
   private again(captured: Captured): void {
     this.captured = captured;
     this.put();
     this.goNear(this.frame);
   }
-  /** The frame with this number, or the nearest that there is, and of the selected bodies those that there are. */
+  /** Goes to the frame with this number, or the nearest that there is, with those selected bodies that it has. */
   private goNear(frame: number): void {
     const { bodies, frames } = this.captured;
     this.selected = this.selected.filter((i) => i >= 0 && i < bodies.length);
@@ -149,7 +149,7 @@ export class CaptureRoom implements Room {
     this.frame = frame;
     this.show();
   }
-  /** What the address of a served capture holds; another is nowhere to be found again. */
+  /** Writes the address of a served capture; another cannot be found again. */
   private write(): void {
     const { served } = this.origin, { frame, selected } = this, { camera } = this.stage;
     if (!served) return;
@@ -166,7 +166,7 @@ export class CaptureRoom implements Room {
     }
   }
 
-  /** The selected bodies that are there in this frame, as a world that can be asked. */
+  /** Makes the selected bodies of this frame a world that can be queried. */
   private ask(): void {
     this.asked?.run.dispose();
     this.asked = null;
@@ -177,7 +177,7 @@ export class CaptureRoom implements Room {
       const run = new Run({ name: "selected", bodies, ...(this.captured.report.plane ? { dimension: 2 as const } : {}) });
       this.asked = { bodies, numbers, run, pair: askPair(run, numbers.map((_, k) => k)) };
     } catch (error) {
-      this.say((error as Error).message); // a shape that the protocol has no words for
+      this.say((error as Error).message); // a shape that the protocol cannot express
     }
   }
   private show(): void {
@@ -205,7 +205,7 @@ export class CaptureRoom implements Room {
     if (selected && this.layers.has("pair")) drawPair(d, run, selected);
     numbers.forEach((_, k) => d.text(run.place(k).translation, k ? "B" : "A", k ? "b" : "made"));
   }
-  /** What is asked about the selected bodies where they are, and what the run itself found. */
+  /** Shows the answers about the selected bodies where they are, and those that the run itself found. */
   private tell(): void {
     const { asked } = this;
     const name = (i: number): string => this.captured.bodies[i].name;

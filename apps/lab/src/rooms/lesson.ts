@@ -61,7 +61,7 @@ export class LessonRoom implements Room {
     this.timeline.stop();
     this.stage.dispose();
   }
-  /** For the tests: what the page shows. */
+  /** The state of the page, for the tests. */
   get shown(): { state: State; question: Question | undefined; step: number; steps: number } {
     return { state: this.state, question: this.question(), step: this.step, steps: this.steps.length };
   }
@@ -78,7 +78,7 @@ export class LessonRoom implements Room {
     this.show();
     this.remember();
   }
-  /** One drawing a frame, however many moves of the pointer there were; the address follows when it is let go. */
+  /** Draws once a frame, however many moves of the pointer there were; the address follows when it is let go. */
   private change(state: State, done: boolean): void {
     this.state = state;
     if (done) this.history.push(state);
@@ -90,7 +90,7 @@ export class LessonRoom implements Room {
       if (this.settled) this.remember();
     });
   }
-  /** On a phone the picture is far above the examples. */
+  /** Shows an example, and on a phone scrolls to the picture, which is far above the examples. */
   private tryOut(example: Example): void {
     this.change(copy(example.state), true);
     this.stage.element.scrollIntoView({ block: "nearest" });
@@ -114,7 +114,7 @@ export class LessonRoom implements Room {
     history.replaceState(null, "", address(`/lesson/${this.lesson.id}`, values));
   }
 
-  /** The stage of the state's dimension. */
+  /** Builds the stage of the state's dimension. */
   private build(): void {
     const { lesson } = this, wanted = typeof lesson.dimension === "function" ? lesson.dimension(this.state) : lesson.dimension;
     if (wanted === this.dimension) return;

@@ -29,9 +29,9 @@ import { TraceSteps } from "../scene/trace-steps.ts";
 import { Source, type Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
-/** Of larger scenes the contacts are counted and not drawn. */
+/** The number of bodies above which contacts are counted and not drawn. */
 const mostDrawn = 200;
-/** What gets a capture that was opened in place of a scene, and where it lies if it is served. */
+/** Called with a capture that was opened in place of a scene, and with the watched file if it is served. */
 export type OnCapture = (name: string, captured: Captured, served: Served | null) => void;
 
 export class SceneRoom implements Room {
@@ -44,10 +44,10 @@ export class SceneRoom implements Room {
   private selected: number[] = [];
   /** The key of a scene of the list. */
   private key: string | null = null;
-  /** Where the bodies stood when the scene was opened, and what was done since. */
+  /** The places of the bodies when the scene was opened, and the changes since. */
   private before: Place[] = [];
   private history = new History<Moment>(beginning);
-  /** What touches, of scenes that are not too large to draw it. */
+  /** The pairs that touch, in scenes that are not too large to draw them. */
   private found: Pair[] = [];
   /** The selected bodies, where they are drawn. */
   private pair: AskedPair | null = null;
@@ -66,7 +66,7 @@ export class SceneRoom implements Room {
   private readonly catalogue: Catalogue;
   private readonly toggle = button("Play", () => this.play.toggle(), { class: "accent", "data-play": true });
   private readonly settings = new Settings((changed) => this.set(changed));
-  /** What the address holds of a scene that has not come yet. */
+  /** The part of the address about a scene that has not come yet. */
   private expected: { moment: Moment; camera: Vec | null } | null = null;
 
   constructor(values: Record<string, string>, onCapture: OnCapture) {
@@ -102,7 +102,7 @@ export class SceneRoom implements Room {
       this.say((error as Error).message);
     }
   }
-  /** A scene has come, to which the address may have said more. */
+  /** Opens a scene that has come, at the moment in the address. */
   private opened(scene: Scene, key: string | null = null): void {
     this.open(scene, key, this.expected?.moment);
     if (this.expected) this.stage.camera = this.expected.camera;
@@ -123,18 +123,18 @@ export class SceneRoom implements Room {
       poses: Array.from(run.poses()), deepest: depth.at(-1) ?? 0, draws: this.draws, times: { step: stepTime, draw: this.drawTime } };
   }
 
-  // --- What the address and undo hold ---
+  // --- The state that the address and undo hold ---
 
   private get moment(): Moment {
     return { places: movedBodies(this.play.scene, this.before), selected: this.selected, subSteps: this.play.subSteps, gravity: this.play.heavy,
       speed: this.play.speed, layers: this.layers.switched };
   }
-  /** After everything that somebody did, but for playing. */
+  /** Records the moment after everything that somebody did, but for playing. */
   private remember(): void {
     this.history.push(this.moment);
     this.write();
   }
-  /** The address of what is shown. */
+  /** Writes the address of the page. */
   private write(): void {
     const { moment } = this, { scene } = this.play, values: Record<string, string> = this.key ? { scene: this.key } : {};
     if (this.source.served) values.file = this.source.served;
@@ -143,13 +143,13 @@ export class SceneRoom implements Room {
       if (!text) return;
       values.s = text;
     }
-    // Spread over the other, so that both have their keys in one order.
+    // The moment is spread over the beginning, so that both have their keys in one order.
     if (JSON.stringify({ ...beginning, ...moment }) !== JSON.stringify(beginning)) values.at = JSON.stringify(moment);
     const { camera } = this.stage;
     if (camera) values.view = cameraText(camera);
     history.replaceState(null, "", address("/scene", values));
   }
-  /** Takes what a moment says over, but for its drawing. */
+  /** Takes a moment over, but for its drawing. */
   private take(moment: Moment): void {
     const { scene } = this.play;
     this.play.subSteps = moment.subSteps;
@@ -173,17 +173,17 @@ export class SceneRoom implements Room {
   redo(): void {
     this.restore(this.history.redo());
   }
-  /** The scene from its beginning, with other settings if these are said. */
+  /** Begins the scene anew, with other settings if these are given. */
   private begin(settings: Partial<Moment> = {}): void {
     this.restore({ ...this.moment, ...settings });
     this.history.push(this.moment);
   }
-  /** Other layers than before. */
+  /** Called after layers were switched. */
   private changed(): void {
     this.show();
     this.remember();
   }
-  /** Sub-steps are what a simulation begins with, the rest counts from the next step on. */
+  /** Sets how time runs. Sub-steps need a new simulation, the rest counts from the next step on. */
   private set({ subSteps, gravity = this.play.heavy, speed = this.play.speed }: Partial<Moment>): void {
     if (subSteps !== undefined) return this.begin({ subSteps });
     this.play.heavy = gravity;
@@ -212,7 +212,7 @@ export class SceneRoom implements Room {
     this.put();
     this.show();
   }
-  /** The bodies of the scene onto the stage and into the lists. */
+  /** Puts the bodies of the scene onto the stage and into the lists. */
   private put(): void {
     const { scene, run } = this.play, view = viewOf(run, scene);
     this.stage.look(view);
@@ -256,7 +256,7 @@ export class SceneRoom implements Room {
     if (done && !this.play.run.played) this.remember();
   }
 
-  // --- What is true now ---
+  // --- The present state ---
 
   private get few(): boolean {
     return this.play.scene.bodies.length <= mostDrawn;
@@ -265,7 +265,7 @@ export class SceneRoom implements Room {
     const start = performance.now(), { run, scene, running, energy } = this.play;
     this.stage.crowd.move(run.poses());
     this.chooser.show(this.selected);
-    // To copy thousands of contacts out of the module takes longer than to draw the bodies.
+    // Copying thousands of contacts out of the module takes longer than drawing the bodies.
     this.found = this.few ? run.contacts() : [];
     this.stage.crowd.paint(marked(scene, this.found, run.played, this.selected, this.stage.seen));
     this.paint();

@@ -1,4 +1,4 @@
-// A capture played again: where each body was in every frame, and what touched.
+// A capture played again: the places of the bodies in every frame, and the pairs that touched.
 
 import { graze } from "../graze.ts";
 import { flatSolidDrawn, solidDrawn, type Solid } from "../parts/solid.ts";
@@ -7,17 +7,17 @@ import type { SceneBody } from "./model.ts";
 import { placesOfPlane, type Pair } from "./run.ts";
 
 export interface CapturedBody {
-  /** As the run called it last; where it did not, by its kind and its number in the world. */
+  /** The name that the run gave it last; else its kind and its number in the world. */
   name: string;
   solid: Solid;
   flat: boolean;
   /** Whether it is somewhere else in a later frame than in the first in which it is. */
   moves: boolean;
-  /** As a question has it; or why none can. */
+  /** The shape for a question; or the reason why there is none. */
   shape: Shape | null;
   refused: string;
 }
-/** What a frame found: the places of contact as they were when it was looked for, which in a simulation is before bodies
+/** A pair that a frame found: the points of contact at the time of the search, which in a simulation is before bodies
  *  are moved. */
 export interface CapturedPair extends Pair {
   manifolds: { normal: Vec; points: CapturedPoint[] }[];
@@ -26,12 +26,12 @@ export interface CapturedPoint {
   a: Vec;
   b: Vec;
   distance: number;
-  /** In the hexadecimal digits of the protocol. */
+  /** The id in hexadecimal digits, as in the protocol. */
   feature: string;
   impulse: Vec;
 }
 export interface CapturedFrame {
-  /** Seven numbers for each of `bodies`; those of bodies that are not there mean nothing. */
+  /** Seven numbers for each of `bodies`; those of bodies that are not there are without meaning. */
   poses: Float64Array;
   there: ReadonlySet<number>;
   pairs: CapturedPair[];
@@ -46,7 +46,7 @@ export interface Captured {
   size: number;
 }
 
-/** Of more pairs the points are counted and not kept. */
+/** The number of pairs above which points are counted and not kept. */
 const mostPairs = 200;
 
 function movesIn(frames: CapturedFrame[], body: number): boolean {
@@ -54,7 +54,7 @@ function movesIn(frames: CapturedFrame[], body: number): boolean {
   return poses.some((pose) => pose.some((x, i) => x !== poses[0][i]));
 }
 
-/** Bodies of a frame as those of a scene, to be asked about. Throws what says that a question cannot have one of them. */
+/** Bodies of a frame as those of a scene, to be queried. Throws the reason where a question cannot have one of them. */
 export function bodiesAt(captured: Captured, frame: number, numbers: number[]): SceneBody[] {
   const { poses } = captured.frames[frame];
   return numbers.map((i) => {
@@ -64,10 +64,10 @@ export function bodiesAt(captured: Captured, frame: number, numbers: number[]): 
   });
 }
 
-/** What plays a capture and draws it. */
+/** The part of the library that plays a capture and draws it. */
 type Library = Pick<typeof graze, "replay" | "draw" | "plane" | "protocolShape">;
 
-/** The library in the scalar of a capture; float's, which nothing else here needs, is fetched when it is asked for. */
+/** The library in the scalar of a capture; that of float, which nothing else needs, is fetched at the first use. */
 async function libraryFor(bytes: ArrayBuffer): Promise<Library> {
   if (graze.captureHead(bytes).scalar === "double") return graze;
   const single = await import("graze");
@@ -75,7 +75,7 @@ async function libraryFor(bytes: ArrayBuffer): Promise<Library> {
   return single;
 }
 
-/** Throws what `graze.replay` does. */
+/** Plays a capture. Throws as `graze.replay` does. */
 export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
   const library = await libraryFor(bytes), { plane: flat, scalar } = graze.captureHead(bytes);
   const bodies: CapturedBody[] = [], frames: CapturedFrame[] = [];
@@ -93,7 +93,7 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
       return { shape: null, refused: (error as Error).message };
     }
   };
-  /** The number of a body as it looks now: one that gets another shape is drawn as another. */
+  /** The number of a body with its present look: one that gets another shape is drawn as another. */
   const place = (world: graze.WorldQueries | graze.plane.WorldQueries, index: number, id: graze.BodyId): number => {
     const shape = world.shape(id);
     try {

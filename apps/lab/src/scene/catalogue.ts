@@ -12,7 +12,7 @@ export class Catalogue {
   private wanted = "";
   private readonly onScene: (scene: Scene, key: string) => void;
 
-  /** `onChoose`: somebody chose another scene, which comes later. */
+  /** `onChoose`: called when another scene was chosen, which comes later. */
   constructor(onScene: (scene: Scene, key: string) => void, onChoose: () => void) {
     this.onScene = onScene;
     this.element = h("select", { "aria-label": "Scene", onchange: () => {
@@ -21,13 +21,13 @@ export class Catalogue {
     } }, ...Object.entries(scenes).map(([key, make]) => h("option", { value: key }, make().name))) as HTMLSelectElement;
     void this.fill();
   }
-  /** Opens the scene of a key; of one that there is not, the first. */
+  /** Opens the scene of a key, or the first one if there is no such key. */
   open(key: string): void {
     this.wanted = key;
     if (scenes[key]) this.onScene(scenes[key](), key);
     else void this.fetch(key);
   }
-  /** What is shown: the scene of a key, or another one by its name. */
+  /** Shows in the list the scene of a key, or another one by its name. */
   show(key: string | null, name: string): void {
     this.shown = this.wanted = key ?? "";
     this.element.querySelector("[data-file]")?.remove();

@@ -1,17 +1,17 @@
-// The bodies by name: two to choose for whoever does not point at them, and a foldable list of all.
+// The bodies by name: two lists to choose from without pointing, and a foldable list of all.
 
 import { button, h } from "../parts/dom.ts";
 import { fold } from "../parts/fold.ts";
 import type { SceneBody } from "./model.ts";
 
-/** What the lists say of a body. */
+/** The part of a body that the lists show. */
 export type Named = Pick<SceneBody, "name" | "moves" | "trigger">;
 
-/** Of more bodies the list is no help. */
+/** The number of bodies above which the list is no help. */
 const mostListed = 300;
 
 export class Chooser {
-  /** All that there is: the two to choose, and the list. */
+  /** The whole element: the two to choose, and the list. */
   readonly tree: HTMLElement;
   private readonly element: HTMLElement;
   private readonly selects: HTMLSelectElement[];
@@ -28,7 +28,7 @@ export class Chooser {
     this.element = h("div", { class: "choices" }, ...this.selects);
     this.tree = fold("bodies", this.count, this.element, this.branches);
   }
-  /** The bodies that there are. */
+  /** Sets the bodies. */
   set(bodies: Named[]): void {
     for (const [k, select] of this.selects.entries())
       select.replaceChildren(h("option", { value: "" }, k ? "no other body" : "no body"), ...bodies.map((b, i) => h("option", { value: i }, b.name)));
@@ -50,7 +50,7 @@ export class Chooser {
   }
 }
 
-/** The selection after a click on a body: it comes or goes, and the last two stay. */
+/** The selection after a click on a body: it is added or removed, and the last two stay. */
 export function toggled(selected: number[], body: number | null): number[] {
   if (body === null) return [];
   return selected.includes(body) ? selected.filter((x) => x !== body) : [...selected, body].slice(-2);

@@ -9,7 +9,7 @@ const byKey = new Map(Object.entries(texts).map(([path, text]) => [path.split("/
 
 const title = (key: string): string => key.charAt(0).toUpperCase() + key.slice(1).replaceAll("-", " ");
 
-/** The keys that an address names, with what the list says. */
+/** The scenes by the keys in an address, with their names in the list. */
 export const conformanceScenes: { key: string; name: string }[] = [...byKey.keys()].sort().map((key) => ({ key, name: title(key) }));
 
 /** The scene of a key, or null. */

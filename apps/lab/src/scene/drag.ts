@@ -5,8 +5,8 @@ import type { Vec } from "../question.ts";
 import type { Play } from "./play.ts";
 import type { Place } from "./run.ts";
 
-/** Moves or turns a body; while the scene is played one that moves is pulled by a spring, until the drag is `done`. Whether
- *  it was put somewhere. */
+/** Moves or turns a body; while the scene is played a spring pulls one that moves, until the drag is `done`. Returns
+ *  whether the body was put somewhere. */
 export function dragBody(play: Play, number: number, id: string, to: Vec, done: boolean): boolean {
   const { run, scene } = play, body = scene.bodies[number], aimed = run.flat ? [to[0], to[1], 0] : to;
   if (play.running && body.moves) {

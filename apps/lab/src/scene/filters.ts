@@ -7,10 +7,10 @@ export interface NamedFilter {
   collideWith?: string[];
   notCollideWith?: string[];
 }
-/** Bits of a number of JavaScript: the first is that of what belongs to no system. */
+/** The bits of a number of JavaScript: the first is that of bodies that belong to no system. */
 const mostSystems = 30;
 
-/** What turns a file's filters into those of bodies. `all` is every filter of the file. */
+/** A function from a file's filters to those of bodies. `all` is every filter of the file. */
 export function filtersOf(all: NamedFilter[]): (filter: NamedFilter) => SceneBody["filter"] {
   const names = [...new Set(all.flatMap((f) => [...(f.systems ?? []), ...(f.collideWith ?? []), ...(f.notCollideWith ?? [])]))].slice(0, mostSystems);
   const whole = 2 ** (names.length + 1) - 1;

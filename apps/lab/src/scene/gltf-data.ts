@@ -1,4 +1,4 @@
-// What of a glTF file is read here, and the numbers in its buffers.
+// The parts of a glTF file that the lab reads, and the numbers in its buffers.
 
 import type { Shape, Vec } from "../question.ts";
 import { Unreadable } from "./meshes.ts";

@@ -1,5 +1,5 @@
-// What is said of the selected bodies of a scene or of a frame: of one alone what it is, of two what they have to do with
-// each other, and the question that asks the same.
+// The facts about the selected bodies of a scene or of a frame: about one its properties, about two their relation, and
+// the question for it.
 
 import { ask, line } from "../graze.ts";
 import { button, digits, h, vector } from "../parts/dom.ts";
@@ -17,9 +17,9 @@ export interface Selection {
   run: Run;
   bodies: SceneBody[];
   selected: number[];
-  /** Of two selected bodies. */
+  /** The relation of two selected bodies. */
   pair: AskedPair | null;
-  /** What a body touches. */
+  /** The names of the bodies that a body touches. */
   partners: (body: number) => string[];
 }
 
@@ -29,7 +29,7 @@ export class Inquiry {
   readonly element: HTMLElement;
   private readonly asked = h("textarea", { rows: 3, spellcheck: "false", "aria-label": "A question of the protocol" }) as HTMLTextAreaElement;
 
-  /** `onAsk` gets the question that somebody wrote, or what is wrong with it. */
+  /** `onAsk` gets the question that somebody wrote, `onTrouble` the fault in it. */
   constructor(onAsk: (question: Question) => void, onTrouble: (text: string) => void) {
     const askIt = (): void => {
       try {

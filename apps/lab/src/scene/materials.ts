@@ -1,11 +1,11 @@
-// How rough and how bouncy a body is, as fields that change it.
+// The friction and the restitution of a body, as fields that change them.
 
 import type { graze } from "../graze.ts";
 import { h } from "../parts/dom.ts";
 import type { Run } from "./run.ts";
 import type { SceneBody } from "./model.ts";
 
-/** `onSet` gets what was refused, or null. */
+/** The fields. `onSet` gets the message of a refused value, or null. */
 export function materialFields(run: Run, number: number, body: SceneBody, onSet: (refused: string | null) => void): Node[] {
   const { staticFriction = 0.6, dynamicFriction = staticFriction, restitution = 0 } = body.material ?? {};
   const field = (label: string, value: number, most: number, made: (x: number) => graze.Material): HTMLElement =>

@@ -2,7 +2,7 @@
 
 import type { Shape, Vec } from "../question.ts";
 
-/** What is wrong with a file, in words for its owner. */
+/** A fault of a file, in words for its owner. */
 export class Unreadable extends Error {}
 
 /** Points that coincide exactly become one. */

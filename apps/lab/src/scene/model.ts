@@ -9,14 +9,14 @@ export interface SceneBody extends Body {
   shape: Shape;
   translation: Vec;
   rotation: Vec;
-  /** Moves by the laws of motion; else it stands. */
+  /** Whether it moves by the laws of motion; else it stands. */
   moves: boolean;
   mass?: number;
-  /** Velocities are of the centre of mass, as glTF has them, which the shapes decide. */
+  /** Whether velocities are those of the centre of mass, which the shapes decide, as in glTF. */
   aboutCenter?: boolean;
   dynamics?: graze.Dynamics | graze.plane.Dynamics;
   trigger?: boolean;
-  /** Of a frame of a capture: nobody knows its filter. */
+  /** Whether it is of a frame of a capture: its filter is not known. */
   captured?: boolean;
   filter?: { category: number; mask: number };
   material?: graze.Material | graze.plane.Material;
@@ -35,7 +35,7 @@ export interface SceneJoint {
 export interface Scene {
   name: string;
   bodies: SceneBody[];
-  /** Of the plane, whose shapes are those of the protocol there; of space where nothing is said. */
+  /** 2 in the plane, whose shapes are those of the protocol there; in space it is left out. */
   dimension?: 2;
   gravity?: Vec;
   joints?: SceneJoint[];

@@ -1,20 +1,20 @@
-// What the address and undo hold of the viewer: where bodies were put, which are selected, and how time runs.
+// The state of the viewer in the address and in undo: the places of bodies, the selected ones, and how time runs.
 
 import type { Vec } from "../question.ts";
 import { speeds } from "../parts/timeline.ts";
 import type { Scene } from "./model.ts";
 import type { Place } from "./run.ts";
 
-/** What scenes and captures have in common. */
+/** The part that scenes and captures have in common. */
 export interface Shown {
   selected: number[];
-  /** How many times as fast as usual it plays. */
+  /** The speed of playing, as a multiple of the usual one. */
   speed: number;
-  /** The layers that are not drawn as they are at first. */
+  /** The layers that somebody has switched. */
   layers: string[];
 }
 export interface Moment extends Shown {
-  /** Of the bodies that do not stand where the scene has them, by number. */
+  /** The places of the bodies that do not stand where the scene has them, by number. */
   places: Record<number, Place>;
   subSteps: number;
   gravity: boolean;
@@ -28,13 +28,13 @@ const isNumbers = (value: unknown, count: number): value is Vec =>
 const isPlace = (value: unknown): value is Place =>
   isNumbers((value as Place)?.translation, 3) && isNumbers((value as Place).rotation, 4);
 
-/** Whether what an address holds, as far as it says something, says it as `Shown` has it. */
+/** Whether a value of an address, where it has members of `Shown`, has them with the right types. */
 export function isShown(value: unknown): boolean {
   const { selected, speed, layers } = { ...firstShown, ...(value as Partial<Shown> | null) };
   return Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) && speeds.includes(speed) &&
     Array.isArray(layers) && layers.every((layer) => typeof layer === "string");
 }
-/** The same of the moment of a scene. */
+/** Whether a value of an address is one of a scene's moment, likewise. */
 export function isMoment(value: unknown): boolean {
   const { places, subSteps, gravity } = { ...beginning, ...(value as Partial<Moment> | null) };
   return isShown(value) && typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
@@ -48,14 +48,14 @@ export function movedBodies(scene: Scene, before: Place[]): Record<number, Place
     .filter(([i, { translation, rotation }]) => !same(translation, before[i].translation) || !same(rotation, before[i].rotation)));
 }
 
-/** Longer scenes do not fit an address. */
+/** The length of the longest scene that an address takes. */
 const longest = 6000;
 /** A scene as the value of an address, if it is that short. */
 export function packed(scene: Scene): string | null {
   const text = JSON.stringify(scene);
   return text.length <= longest ? text : null;
 }
-/** Whether what an address holds is a scene, as far as `Run` does not refuse it by itself. */
+/** Whether a value of an address is a scene, as far as `Run` does not refuse it by itself. */
 export function isScene(value: unknown): boolean {
   const { name, bodies } = (value ?? {}) as Partial<Scene>;
   return typeof name === "string" && Array.isArray(bodies) &&

@@ -11,7 +11,7 @@ import { meshShape, Unreadable } from "./meshes.ts";
 import type { Scene, SceneBody, SceneJoint } from "./model.ts";
 import { seenFrom, type Place } from "./run.ts";
 
-/** A node where it stands, and the node above it, or itself, that moves it. */
+/** A node in its place, and the node above it, or itself, that moves it. */
 interface Placed extends Place {
   node: Node;
   number: number;
@@ -21,7 +21,8 @@ interface Placed extends Place {
   above: number | null;
 }
 
-/** A shape of KHR_implicit_shapes under its node's scale: such a shape again, or an ellipsoid, or the hull of what is drawn. */
+/** A shape of KHR_implicit_shapes under its node's scale: such a shape again, an ellipsoid, or the hull of its
+ *  picture. */
 function scaled(shape: Shape, scale: Vec): Shape {
   const [x, y, z] = scale.map(Math.abs), near = (p: number, q: number): boolean => Math.abs(p - q) <= 1e-6 * Math.max(p, q);
   if ([x, y, z].every((s) => near(s, 1))) return shape;
@@ -50,7 +51,7 @@ class GltfReader {
   private readonly filter: (filter: NamedFilter) => SceneBody["filter"];
   private readonly plain: boolean;
   private readonly bodies: SceneBody[] = [];
-  /** The bodies of nodes whose colliders stand. */
+  /** The fixed bodies, by the nodes of their colliders. */
   private readonly standing = new Map<number, number>();
   /** The bodies of the nodes that move. */
   private readonly bodyOf = new Map<number, number>();
@@ -70,7 +71,7 @@ class GltfReader {
     for (const at of this.placed.values()) {
       const shape = this.shapeOf(at);
       if (!shape) continue;
-      // A trigger notices by itself, and what stands needs nobody to stand with.
+      // A trigger is a body by itself, and so is a collider that stands.
       const key = at.mover !== null && !this.rigid(at)?.trigger ? `body ${at.mover}` : `shape ${at.number}`;
       groups.set(key, [...(groups.get(key) ?? []), { at, shape }]);
     }
@@ -111,7 +112,7 @@ class GltfReader {
     return geometry?.convexHull || at.mover !== null ? { type: "convex", convex: { points } } : meshShape(points, triangles);
   }
 
-  /** Several shapes of a body are children in the frame of the first. */
+  /** The body of several shapes: children in the frame of the first. */
   private bodyOfParts(parts: { at: Placed; shape: Shape }[]): SceneBody {
     const [{ at, shape }] = parts, rigid = this.rigid(at), filter = (rigid?.collider ?? rigid?.trigger)?.collisionFilter;
     const material = rigid?.collider?.physicsMaterial, mover = rigid?.trigger ? null : at.mover;
@@ -127,7 +128,7 @@ class GltfReader {
       ...(mover === null ? {} : this.motion(this.placed.get(mover)!, at)),
     };
   }
-  /** How the node of a motion moves a body whose frame is another one's. Velocities are in the node's frame. */
+  /** The motion that a node gives to a body with the frame of another one. Velocities are in the node's frame. */
   private motion(mover: Placed, frame: Placed): Partial<SceneBody> {
     const motion: Motion = this.rigid(mover)!.motion!, { mass, centerOfMass, inertiaDiagonal, inertiaOrientation } = motion;
     const endless = (x: number): number => (x === 0 ? Infinity : x); // as the format says it
@@ -142,7 +143,8 @@ class GltfReader {
       },
     };
   }
-  /** The body that a joint's node belongs to: what moves it, or the collider that stands at it or above it; else the world. */
+  /** The body that a joint's node belongs to: the one that moves it, or a fixed collider at it or above; else the
+   *  world. */
   private jointed({ mover, number, above }: Placed): number | null {
     if (mover !== null) return this.bodyOf.get(mover) ?? null;
     return this.standing.get(number) ?? (above === null ? null : this.jointed(this.placed.get(above)!));

@@ -1,4 +1,4 @@
-// Scenes of the plane, drawings and JSON, as scenes here.
+// Scenes of the plane, drawings and JSON, as scenes of the lab.
 
 import { SaxesParser } from "saxes";
 import { graze } from "../graze.ts";
@@ -20,11 +20,11 @@ function together(parts: Drawn[]): Shape {
   return { type: "compound", compound: { children } };
 }
 
-/** What `graze collide` reads as JSON, and `graze.planeScene` makes of a drawing. Shapes of a body that moves are one. */
+/** A scene from the JSON of `graze collide` or from `graze.planeScene`. Shapes of a body that moves are one. */
 export function sceneOfPlane(read: graze.PlaneScene, name: string): Scene {
   const filter = filtersOf(read.bodies), groups = new Map<string, Drawn[]>();
   for (const [i, body] of read.bodies.entries()) {
-    // Triggers push nothing, and what is fixed needs no other to stand with.
+    // Triggers push nothing, and a fixed shape needs no other to stand with.
     const key = body.body !== undefined && body.motion && !body.trigger ? `body ${body.body}` : `shape ${i}`;
     groups.set(key, [...(groups.get(key) ?? []), body]);
   }
@@ -42,10 +42,10 @@ export function sceneOfPlane(read: graze.PlaneScene, name: string): Scene {
   return { name, dimension: 2, bodies, gravity: read.gravity && [...read.gravity, 0] };
 }
 
-/** As deep as the library's own reader goes. */
+/** The deepest nesting, that of the library's own reader. */
 const mostNested = 100;
 
-/** The root element of an XML document, by a parser that, other than the browser's, does nothing with what it reads. */
+/** The root element of an XML document, by a parser that only reads, unlike the browser's. */
 function rootOf(text: string): graze.DrawnElement {
   interface Element { localName: string; line: number; attributes: { name: string; value: string }[]; children: Element[] }
   const open: Element[] = [{ localName: "", line: 0, attributes: [], children: [] }];
@@ -66,5 +66,5 @@ function rootOf(text: string): graze.DrawnElement {
   return open[0].children[0];
 }
 
-/** A drawing. Throws what names its fault. */
+/** A drawing as a scene. Throws an error that names its fault. */
 export const readSvg = (text: string, name: string): Scene => sceneOfPlane(graze.planeScene(rootOf(text)), name);

@@ -33,7 +33,7 @@ export function sceneOfQuestion(q: Question): Scene {
   if (bodies.length === 0) throw new Unreadable("expected a question about bodies");
   return { name: `a question: ${q.query}`, bodies, ...(q.dimension === 2 ? { dimension: 2 as const } : {}) };
 }
-/** One question, the first of many, or a scene of the plane. */
+/** The scene of one question, the first of many, or a scene of the plane. */
 function readJson(text: string, name: string): Scene {
   const whole = ((): unknown => {
     try {
@@ -45,11 +45,11 @@ function readJson(text: string, name: string): Scene {
   return Array.isArray((whole as graze.PlaneScene).bodies) ? sceneOfPlane(whole as graze.PlaneScene, name) : sceneOfQuestion(whole as Question);
 }
 
-/** What a file's name says that it is: "gltf". */
+/** The kind of a file by its name: "gltf". */
 export const kindOf = (file: File): string => file.name.toLowerCase().split(".").pop() ?? "";
 
-/** Reads what somebody dropped; `beside` are the files that came with it. Throws `Unreadable`, whose message names what is
- *  wrong. */
+/** Reads a file that was dropped; `beside` are the files that came with it. Throws `Unreadable`, whose message names
+ *  the fault. */
 export async function openFile(file: File, beside: File[] = []): Promise<Scene> {
   try {
     switch (kindOf(file)) {

@@ -1,4 +1,4 @@
-// What is shown of two bodies: their distance, the lesson that explains them, and what they touch with.
+// The facts about two bodies: their distance, the lessons that explain them, and the features with which they touch.
 
 import { ask, type Answer } from "../graze.ts";
 import { drawDistance, drawManifold } from "../parts/answers.ts";
@@ -13,14 +13,14 @@ import type { Pair, Run } from "./run.ts";
 function questionOf(run: Run, i: number, j: number): Question {
   return { query: "contacts", ...(run.flat ? { dimension: 2 as const } : {}), a: run.asked(i), b: run.asked(j), margin: run.margin(i, j) };
 }
-/** Two bodies by their places in a run, the question about them, and their signed distance, which a margin has nothing to do
- *  with. */
+/** Two bodies by their places in a run, the question about them, and their signed distance, which does not depend on a
+ *  margin. */
 export interface AskedPair {
   bodies: [number, number];
   question: Question;
   distance: Answer;
 }
-/** Asked once for what is said of a pair and for what is drawn of it; none unless two bodies are selected. */
+/** The pair of two selected bodies, computed once for its facts and its drawing; none unless two are selected. */
 export function askPair(run: Run, [i, j]: number[]): AskedPair | null {
   if (i === undefined || j === undefined) return null;
   const question = questionOf(run, i, j);
@@ -30,13 +30,13 @@ export function askPair(run: Run, [i, j]: number[]): AskedPair | null {
 /** Shapes of the plane that GJK's lesson draws. */
 const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
 
-/** A lesson that goes through a pair step by step, by what it shows, and the state in which it begins. */
+/** A lesson that goes through a pair step by step, by its subject, and the state in which it begins. */
 export interface PairLesson {
   lesson: string;
   shows: string;
   state: State;
 }
-/** The lessons for a pair; none for what none draws. `apart`: whether the two are. */
+/** The lessons for a pair; none where no lesson draws it. `apart`: whether the two are. */
 export function lessonsOf(q: Question, apart: boolean): PairLesson[] {
   const pair = { dimension: q.dimension, a: q.a, b: q.b }, flat = q.dimension === 2;
   const contacts: State = { q: { query: "contacts", margin: q.margin, ...pair } }, distance: State = { q: { query: "distance", ...pair } };
@@ -54,7 +54,7 @@ function drawFeature(d: Drawing, corners: Vec[], meaning: Meaning, key: string):
   const ends = corners.length > 2 ? corners.length : corners.length - 1;
   for (let i = 0; i < ends; i++) d.line(corners[i], corners[(i + 1) % corners.length], meaning, { key });
 }
-/** The corners, edges and faces that two bodies touch with at each point of contact, and the gap between the two. */
+/** Draws the corners, edges and faces with which two bodies touch at each point, and the gap between the two. */
 export function drawPair(d: Drawing, run: Run, pair: AskedPair): void {
   run.features(...pair.bodies, pair.question.margin!).forEach((of, point) =>
     of.forEach((corners, k) => drawFeature(d, corners, k ? "b" : "made", `point ${point}`)));
@@ -65,14 +65,14 @@ export function drawPair(d: Drawing, run: Run, pair: AskedPair): void {
   d.text(scale(add(from, to), 0.5), digits(distance, 4), "axis");
 }
 
-/** Which of the marks of contacts are drawn. */
+/** The marks of contacts that are drawn. */
 export interface ContactMarks {
   points: boolean;
   normals: boolean;
-  /** How long a normal is. */
+  /** The length of a normal. */
   arrow: number;
 }
-/** Where bodies touch, each pair by the key of its row, and the normal from the middle of each manifold. */
+/** Draws the points of contact, each pair by the key of its row, and the normal from the middle of each manifold. */
 export function drawContacts(d: Drawing, pair: Pair, { points, normals, arrow }: ContactMarks): void {
   for (const manifold of pair.manifolds)
     drawManifold(d, manifold, {

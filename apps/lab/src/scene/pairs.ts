@@ -7,15 +7,15 @@ const mostListed = 30;
 
 export const pointsOf = (pair: Pair): number => pair.manifolds.reduce((n, m) => n + m.points.length, 0);
 export const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
-/** What of a drawing lights up with the row of a pair. */
+/** The key by which a pair in the drawing lights up with its row. */
 export const keyOf = (pair: { a: number; b: number }): string => `${pair.a} ${pair.b}`;
-/** The bodies of such a key; of another one none. */
+/** The bodies of such a key; none for another one. */
 export const bodiesOf = (key: string | null): number[] => (key && /^\d+ \d+$/.test(key) ? key.split(" ").map(Number) : []);
-/** "16 bodies · 12 pairs · 48 contacts" */
+/** The counts in words: "16 bodies · 12 pairs · 48 contacts". */
 export const counted = (bodies: number, pairs: Pair[]): string =>
   `${bodies} bodies · ${pairs.length} pairs · ${pairs.reduce((sum, p) => sum + pointsOf(p), 0)} contacts`;
 
-/** What a body touches, by name. */
+/** The names of the bodies that a body touches. */
 export const partnersOf = (body: number, pairs: Pair[], name: (body: number) => string): string[] =>
   pairs.filter((p) => p.a === body || p.b === body).map((p) => name(p.a === body ? p.b : p.a));
 

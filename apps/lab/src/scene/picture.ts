@@ -1,4 +1,5 @@
-// How a scene is drawn: its bodies together, and what touches, is shot, held or selected on top of them.
+// The drawing of a scene: its bodies together, and on top of them contacts, shots, and bodies that are held or
+// selected.
 
 import { digits } from "../parts/dom.ts";
 import type { Looks } from "../parts/crowd.ts";
@@ -14,7 +15,7 @@ import type { Play } from "./play.ts";
 import { reachOf, type Pair, type Run, type Stages } from "./run.ts";
 import { drawShot, type Shot } from "./shots.ts";
 
-/** Bodies that are deeper in each other than that are marked: this part of what is seen. */
+/** The depth from which on bodies are marked, as a part of the height that is seen. */
 const visible = 1 / 4000;
 
 /** A view of everything. */
@@ -29,10 +30,10 @@ function whole(run: Run, scene: Scene): View {
   if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
   return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.55) };
 }
-/** What the stage looks at when the scene is opened. */
+/** The view of the stage when the scene is opened. */
 export const viewOf = (run: Run, scene: Scene): View => ({ ...(scene.view ?? whole(run, scene)), flat: run.flat });
 
-/** The bodies of a scene for the crowd, by shape, and what their colours say. */
+/** The bodies of a scene for the crowd, by shape, and the meanings of their colours. */
 export function crowdOf({ bodies }: Scene, flat: boolean, reach: number): [Looks[], Meaning[]] {
   return [
     bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, reach), flat: shape.type === "plane" || (trigger ?? false) })),
@@ -48,11 +49,11 @@ export function marked(scene: Scene, found: Pair[], played: boolean, selected: n
   return special;
 }
 
-/** What is drawn on top of the bodies, `found` of what touches. */
+/** The things that are drawn on top of the bodies, among them `found`, pairs that touch. */
 export interface Overlay {
   found: Pair[];
   selected: number[];
-  /** Of two selected bodies. */
+  /** The facts about two selected bodies. */
   pair: AskedPair | null;
   shot: Shot | null;
   /** Whether a layer is drawn, by its id in `sceneLayers`. */
@@ -73,7 +74,7 @@ export function drawOverlay(d: Drawing, { run, pull }: Play, { found, selected, 
   if (pull) d.line(run.place(pull.body).translation, pull.to, "made", { wide: true });
   if (shot && draws("shots")) drawShot(d, run, shot, seen);
 }
-/** By what the first selected body is moved and, while it stands still, turned. */
+/** The handles by which the first selected body is moved and, while it stands still, turned. */
 export function handlesOf({ run, scene, pull, running }: Play, body: number | undefined, seen: number): Handle[] {
   if (body === undefined) return [];
   const { translation, rotation } = run.place(body), { name, shape } = scene.bodies[body];
@@ -81,7 +82,7 @@ export function handlesOf({ run, scene, pull, running }: Play, body: number | un
   const turn: Handle = { id: "turn", label: `Turn ${name}`, kind: "turn", meaning: "made", at: add(translation, scale(rotate(rotation, [1, 0, 0]), reach)) };
   return [{ id: "move", label: `Move ${name}`, kind: "move", meaning: "made", sign: "A", at: pull?.to ?? translation }, ...(running ? [] : [turn])];
 }
-/** Where the time of a step went: "collide 1.2, prepare 0.1, solve 2". */
+/** The time of a step by its parts: "collide 1.2, prepare 0.1, solve 2". */
 export function stagesOf({ collideMs, prepareMs, solveMs, continuousMs }: Stages): string {
   const parts: [string, number][] = [["collide", collideMs], ["prepare", prepareMs], ["solve", solveMs], ["continuous", continuousMs]];
   return parts.filter(([, ms]) => ms > 0).map(([name, ms]) => `${name} ${digits(ms, 2)}`).join(", ");

@@ -6,12 +6,12 @@ import type { Scene } from "./model.ts";
 import { Run, type Stages } from "./run.ts";
 
 const frame = 1 / 60;
-/** Ten seconds of states to step back to; fewer of large scenes. */
+/** The number of states to step back to: ten seconds; fewer of large scenes. */
 const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
 const nothing: Scene = { name: "empty", bodies: [] };
 
 export interface Listener {
-  /** After every step, forward or back. */
+  /** Called after every step, forward or back. */
   onStep(): void;
   onRunning(running: boolean): void;
   onTrouble(text: string): void;
@@ -23,12 +23,12 @@ export class Play {
   subSteps = 8;
   /** Whether the scene's gravity acts. */
   heavy = true;
-  /** Steps a picture. */
+  /** The number of steps for each picture. */
   speed = 1;
-  /** Of every step that can be gone back. */
+  /** The energy and the depth of every step that can be gone back. */
   energy: number[] = [];
   depth: number[] = [];
-  /** Of the last step, in milliseconds, and of its parts. */
+  /** The time of the last step, in milliseconds, and of its parts. */
   stepTime = 0;
   stages: Stages | null = null;
   /** The spring that somebody holds a body by. */
@@ -52,7 +52,7 @@ export class Play {
   get gravity(): Vec {
     return this.heavy ? (this.scene.gravity ?? [0, -9.81, 0]) : [0, 0, 0];
   }
-  /** Another scene. Throws what the library refuses; there is an empty one then. */
+  /** Opens another scene. Throws the library's errors; the scene is an empty one then. */
   open(scene: Scene): void {
     this.dispose();
     this.pull = null;
@@ -63,7 +63,7 @@ export class Play {
     this.run = made;
     this.scene = scene;
   }
-  /** The scene from its beginning, where its bodies were put. */
+  /** Begins the scene anew, with its bodies where they were put. */
   begin(): void {
     this.open(this.scene);
   }
@@ -97,7 +97,7 @@ export class Play {
     this.listener.onStep();
   }
 
-  /** `hidden`: another step follows before anything is drawn. */
+  /** Makes a step. `hidden`: another step follows before anything is drawn. */
   private advance(hidden = false): void {
     try {
       this.run.play(this.subSteps, this.gravity);

@@ -1,4 +1,4 @@
-// What is known of one body, as rows beside the drawing.
+// The properties of one body, as rows beside the drawing.
 
 import { vector } from "../parts/dom.ts";
 import type { Numbers } from "../parts/table.ts";
@@ -9,14 +9,14 @@ const bits = (filter: number): string => `0x${filter.toString(16)}`;
 const kind = ({ moves, trigger, dynamics }: SceneBody): string =>
   trigger ? "trigger" : dynamics?.kinematic ? "kinematic" : moves ? "moves" : "fixed";
 
-/** Of more partners the rest is counted. */
+/** The number of partners above which the rest is counted. */
 const mostNamed = 4;
-/** "floor, box 1 and 3 more" */
+/** Names in words: "floor, box 1 and 3 more". */
 function listed(partners: string[]): string {
   const rest = partners.length - mostNamed;
   return partners.length === 0 ? "nothing" : partners.slice(0, mostNamed).join(", ") + (rest > 0 ? ` and ${rest} more` : "");
 }
-/** Shape, place, box, margin, filter, what moves it, and what it touches. */
+/** The rows: shape, place, box, margin, filter, motion, and the bodies that it touches. */
 export function propertiesOf(run: Run, body: SceneBody, number: number, partners: string[]): Numbers {
   const { translation, rotation } = run.place(number), motion = run.motion(number);
   const box = body.shape.type === "plane" ? null : run.bounds(number, true);

@@ -1,5 +1,5 @@
 // A scene as the library's objects: a world, and a simulation once it is played; of space or of the plane. Poses go in
-// and out as those of space, in the plane with z = 0, so that whoever shows them draws both alike.
+// and out as those of space, in the plane with z = 0, so that both are drawn alike.
 
 import { graze, planeShapeOf, poseOf, shapeOf } from "../graze.ts";
 import { add, cross, inverse, length, quatMultiply, scale, sub, toLocal, toWorld } from "../parts/vec.ts";
@@ -23,7 +23,7 @@ export interface Hit {
   normal: Vec;
 }
 
-/** How long the parts of a step took, in milliseconds. */
+/** The times of the parts of a step, in milliseconds. */
 export interface Stages {
   collideMs: number;
   prepareMs: number;
@@ -31,7 +31,7 @@ export interface Stages {
   continuousMs: number;
 }
 
-/** What both dimensions' objects are asked and told here, with poses and vectors in their own words. */
+/** The part of the objects of either dimension that is used here, with poses and vectors in their own form. */
 interface AnyQueries {
   pose(id: graze.BodyId): { translation: Vec; rotation: Vec | number };
   poses(): ArrayLike<number>;
@@ -69,7 +69,7 @@ interface Dimension {
   simulation(settings: object): AnySimulation;
   shape(of: Shape): AnyShape;
   contactMargin(a: AnyShape, b: AnyShape): number;
-  /** Answers as the library draws them. */
+  /** The library's drawing of answers. */
   draws: Pick<typeof graze.draw, "ray" | "cast" | "explained">;
   draw(world: AnyQueries, on: graze.Renderer): void;
   drawSimulation(simulation: AnySimulation, on: graze.Renderer): void;
@@ -81,7 +81,7 @@ interface Dimension {
   places(poses: ArrayLike<number>): ArrayLike<number>;
 }
 
-/** What a place in the world is for who stands at `frame`. */
+/** A place of the world as seen from `frame`. */
 export function seenFrom(frame: Place, { translation, rotation }: Place): Place {
   return { translation: toLocal(frame as Body, translation), rotation: quatMultiply(inverse(frame.rotation) as Vec, rotation) };
 }
@@ -136,7 +136,7 @@ export class Run {
   private simulation: AnySimulation | null = null;
   private ids: graze.BodyId[];
 
-  /** Throws `InvalidValue` for what the library refuses. */
+  /** Makes the world of a scene. Throws `InvalidValue` where the library does. */
   constructor(scene: Scene) {
     this.scene = scene;
     this.flat = scene.dimension === 2;
@@ -156,7 +156,7 @@ export class Run {
     for (const shape of this.shapes.values()) shape.dispose();
   }
 
-  // --- What is true now ---
+  // --- The present state ---
 
   get played(): boolean {
     return this.simulation !== null;
@@ -168,14 +168,14 @@ export class Run {
   place(body: number): Place {
     return this.own.place(this.questions().pose(this.ids[body]));
   }
-  /** A body where it is now, as a question has it. */
+  /** A body where it is now, in the form of a question. */
   asked(body: number): Body {
     return { shape: this.scene.bodies[body].shape, ...this.own.pose(this.place(body)) };
   }
   contacts(): Pair[] {
     return this.questions().contacts();
   }
-  /** What moves a body while the scene is played. */
+  /** The velocity and mass of a body while the scene is played. */
   motion(body: number): { linear: Vec; mass: number } | null {
     const id = this.ids[body];
     return this.simulation && { linear: this.simulation.motion(id).linear, mass: this.simulation.mass(id) };
@@ -188,23 +188,23 @@ export class Run {
     const { vector } = this.own;
     return this.hit(this.questions().raycast({ origin: vector(ray.origin), direction: vector(ray.direction) }));
   }
-  /** What a body would meet first on its way by `motion`, unturned; what it touches already and leaves is none. */
+  /** The first hit of a body on its way by `motion`, unturned; one that it touches already and leaves is none. */
   cast(body: number, motion: Vec): Hit | null {
     const moving = { shape: this.shape(this.scene.bodies[body].shape), ...this.own.pose(this.place(body)), linear: this.own.vector(motion) };
     const accept = (id: graze.BodyId): boolean => id.index !== this.ids[body].index;
     return this.hit(this.questions().cast(moving, { accept, separating: "ignored" }));
   }
-  /** A ray up to what it hits, and the normal there. */
+  /** Draws a ray up to its hit, and the normal there. */
   drawRay(ray: { origin: Vec; direction: Vec }, hit: Hit | null, on: graze.Renderer): void {
     const { vector, draws } = this.own;
     draws.ray({ origin: vector(ray.origin), direction: vector(ray.direction), length: length(ray.direction) } as unknown as graze.Ray, hit as graze.RayHit | null, on);
   }
-  /** A body on its way from a place, up to what it hits. */
+  /** Draws a body on its way from a place, up to its hit. */
   drawCast(body: number, from: Place, motion: Vec, hit: Hit | null, on: graze.Renderer): void {
     const moving = { shape: this.shape(this.scene.bodies[body].shape), ...this.own.pose(from), linear: this.own.vector(motion) };
     this.own.draws.cast(moving as unknown as graze.Moving, hit as graze.CastHit | null, on);
   }
-  /** One step of what the library does for the distance of two bodies. */
+  /** Draws one step of the library's search for the distance of two bodies. */
   drawStep([a, b]: [number, number], step: number, on: graze.Renderer): void {
     const shape = (i: number): graze.Shape => this.shape(this.scene.bodies[i].shape) as graze.Shape;
     const pose = (i: number): graze.PoseLike => this.own.pose(this.place(i)) as graze.PoseLike;
@@ -216,18 +216,19 @@ export class Run {
     const { lower, upper } = shape.bounds(placed ? (this.own.pose(this.place(body)) as graze.PoseLike) : undefined);
     return { lower: [...lower, 0].slice(0, 3), upper: [...upper, 0].slice(0, 3) };
   }
-  /** What the broad phase looks at: the box around each body, and those of its tree. */
+  /** Draws the boxes of the broad phase: the one around each body, and those of its tree. */
   drawBroadPhase(line: (from: Vec, to: Vec, leaf: boolean) => void): void {
     this.own.draw(this.questions(), { layers: ["bounds", "tree"], line: (from, to, layer) => line(from, to, layer === "bounds") });
   }
 
-  /** From the bodies of each joint to its anchors, and how far these are apart; there are joints while it is played. */
+  /** Draws lines from the bodies of each joint to its anchors, and between these; joints exist while it is played. */
   drawJoints(line: (from: Vec, to: Vec, gap: boolean) => void): void {
     if (!this.simulation || !this.scene.joints?.length) return;
     this.own.drawSimulation(this.simulation, { layers: ["joints"], line: (from, to, _, meaning) => line(from, to, meaning === "gap") });
   }
-  /** What two bodies touch with at each point of contact, by corners in the world: of the first, and of the other. What is
-   *  round has none. In the plane the points of a manifold name the ends of the sides that they lie on: one for all. */
+  /** The features of two bodies at each point of contact, by corners in the world: of the first, and of the other. A
+   *  round shape has none. In the plane the points of a manifold name the ends of the sides that they lie on: one for
+   *  all. */
   features(a: number, b: number, margin: number): [Vec[], Vec[]][] {
     if (this.flat) return this.flatFeatures(a, b, margin);
     const [shapeA, shapeB] = [a, b].map((i) => this.shape(this.scene.bodies[i].shape) as graze.Shape);
@@ -251,7 +252,7 @@ export class Run {
       [ends(shapeA, a, m.pieceA, m.points.map((p) => p.feature >>> 16)), ends(shapeB, b, m.pieceB, m.points.map((p) => p.feature & 0xffff))]);
   }
 
-  // --- What changes it ---
+  // --- Changes ---
 
   /** Puts a body somewhere else; contacts are found anew, while nothing is played. */
   put(body: number, place: Place): void {
@@ -260,7 +261,7 @@ export class Run {
     this.world!.move(this.ids[body], pose);
     this.world!.update();
   }
-  /** From here on the laws of motion hold. */
+  /** Begins the simulation: from here on the laws of motion hold. */
   play(subSteps: number, gravity: Vec): void {
     if (this.simulation) return;
     const made = this.own.simulation({ gravity: this.own.vector(gravity), subSteps });
@@ -287,7 +288,7 @@ export class Run {
     this.world!.dispose();
     this.world = null;
   }
-  /** From here on, and when the scene is begun anew. */
+  /** Sets a material, from here on, and when the scene is begun anew. */
   setMaterial(body: number, material: graze.Material | graze.plane.Material): void {
     this.simulation?.setMaterial(this.ids[body], material);
     this.simulation?.wake(this.ids[body]);
@@ -307,7 +308,7 @@ export class Run {
   restore(state: graze.State): void {
     this.simulation!.restore(state);
   }
-  /** A spring, critically damped at three hertz, from the centre of mass to a place. */
+  /** Pulls a body by a spring, critically damped at three hertz, from the centre of mass to a place. */
   pull(body: number, to: Vec): void {
     const simulation = this.simulation!, id = this.ids[body], omega = 2 * Math.PI * 3;
     const { linear, center } = simulation.motion(id), mass = simulation.mass(id);
@@ -346,7 +347,7 @@ export class Run {
   }
 }
 
-/** How a body reaches a place by its motion in a unit of time. */
+/** The place that a body reaches by its motion in the time t. */
 export const reached = (place: Place, motion: Vec, t: number): Place => ({ ...place, translation: add(place.translation, scale(motion, t)) });
 /** Half of the diagonal of a box. */
 export const reachOf = ({ lower, upper }: { lower: Vec; upper: Vec }): number => length(sub(upper, lower)) / 2;

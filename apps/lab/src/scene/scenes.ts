@@ -17,7 +17,7 @@ function pyramid(base: number): SceneBody[] {
     for (let i = 0; i < base - row; i++) made.push(body(`box ${row}.${i}`, box(1, 1, 1), [(i - (base - row - 1) / 2) * 1.05, 0.5 + row, 0]));
   return made;
 }
-/** Two metres long, two centimetres thick, leaning by 25 degrees, in as many storeys. */
+/** A house of cards: two metres long, two centimetres thick, leaning by 25 degrees, in so many storeys. */
 function cards(storeys: number): SceneBody[] {
   const long = 2, thick = 0.02, lean = 0.4363323129985824, c = Math.cos(lean), s = Math.sin(lean), high = 2 * (c + (thick / 2) * s);
   const made: SceneBody[] = [], material = { staticFriction: 0.7, dynamicFriction: 0.7 };

@@ -1,4 +1,4 @@
-// How time runs in a scene, as fields.
+// The settings of time in a scene, as fields.
 
 import { h } from "../parts/dom.ts";
 import { speedSelect } from "../parts/timeline.ts";
@@ -8,7 +8,7 @@ type Time = Pick<Moment, "subSteps" | "gravity" | "speed">;
 
 export class Settings {
   readonly elements: HTMLElement[];
-  /** Stands beside the button that plays. */
+  /** The field beside the button that plays. */
   readonly speed = speedSelect();
   private readonly steps: HTMLSelectElement;
   private readonly falls: HTMLInputElement;

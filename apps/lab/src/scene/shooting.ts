@@ -1,4 +1,4 @@
-// Rays and casts by clicks: what the next click is for, and what came of the last.
+// Rays and casts by clicks: the purpose of the next click, and the result of the last.
 
 import { digits, vector } from "../parts/dom.ts";
 import { add, length, scale, sub } from "../parts/vec.ts";
@@ -16,7 +16,7 @@ export interface Sight {
 
 export class Shooting {
   shot: Shot | null = null;
-  /** A measure has a click for its first place, and in the plane a ray one for its origin. */
+  /** The shot to come. A measure has a click for its first place, and in the plane a ray one for its origin. */
   private aim: { kind: Kind; from?: Vec } | null = null;
   private readonly tell: (title: string, words: string) => void;
 
@@ -36,8 +36,8 @@ export class Shooting {
     this.tell(kind === "ray" ? "Shoot a ray" : "Cast a body",
       blind ? "Select the body first." : kind === "ray" && run.flat ? "Click where it begins, then where it shall go." : "Click where it shall go.");
   }
-  /** The click that a ray or a cast of `body` waits for: a place in the plane, a line of sight in space. Whether a shot came
-   *  of it. */
+  /** Takes the click that a ray or a cast of `body` waits for: a place in the plane, a line of sight in space. Returns
+   *  whether a shot came of it. */
   click(sight: Sight, run: Run, scene: Scene, body: number | undefined): boolean {
     const { aim } = this;
     if (!aim) return false;
@@ -59,7 +59,7 @@ export class Shooting {
     this.tellShot(this.shot, scene);
     return true;
   }
-  /** A place of the two, the second of which ends it. Beside all bodies there is none in space. */
+  /** Takes a place of a measure, the second of which ends it. Beside all bodies there is none in space. */
   private measured(from: Vec | undefined, place: Vec | undefined, run: Run, scene: Scene): boolean {
     if (!place) {
       this.tell("Measure", "There is nothing: click on a body.");

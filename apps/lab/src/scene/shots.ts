@@ -1,4 +1,4 @@
-// Rays and bodies on their way, and what they meet.
+// Rays and bodies on their way, and their hits.
 
 import { ask } from "../graze.ts";
 import { drawDistance, onto } from "../parts/answers.ts";
@@ -9,17 +9,17 @@ import { circle, sphere, type Body, type Question, type Vec } from "../question.
 import { reached, type Hit, type Run } from "./run.ts";
 
 export interface Shot {
-  /** What is measured is the way between two places. */
+  /** "measure" is the way between two places. */
   kind: "ray" | "cast" | "measure";
-  /** How far it is, of what is measured. */
+  /** The distance that was measured. */
   distance?: number;
   from: Vec;
   to: Vec;
   hit: Hit | null;
-  /** Of a cast, the body and how far it was thrown. */
+  /** The body of a cast, and its motion. */
   body?: number;
   motion?: Vec;
-  /** The same of what is hit alone; none where nothing is. */
+  /** The question about the body that is hit, alone; none where none is. */
   question: Question | null;
 }
 
@@ -32,7 +32,7 @@ export function shootRay(run: Run, ray: { origin: Vec; direction: Vec }): Shot {
     ray: { origin: cut(run, ray.origin), direction: cut(run, ray.direction) } };
   return { kind: "ray", from: ray.origin, to: hit?.point ?? add(ray.origin, ray.direction), hit, question };
 }
-/** A body thrown twice as far as a place. */
+/** The cast of a body to twice the distance of a place. */
 export function castBody(run: Run, body: number, target: Vec): Shot {
   const place = run.place(body), motion = scale(sub(target, place.translation), 2);
   const hit = run.cast(body, motion), end = reached(place, motion, hit?.t ?? 1);
@@ -40,13 +40,13 @@ export function castBody(run: Run, body: number, target: Vec): Shot {
     a: { ...run.asked(body), linear: cut(run, motion) }, b: run.asked(hit.body) };
   return { kind: "cast", from: place.translation, to: end.translation, hit, body, motion, question };
 }
-/** How far two places are apart, as a question about two points. */
+/** The distance of two places, as a question about two points. */
 export function measure(run: Run, from: Vec, to: Vec): Shot {
   const at = (place: Vec): Body => ({ shape: run.flat ? circle(0) : sphere(0), translation: cut(run, place) });
   const question: Question = { query: "distance", ...dimensionOf(run), a: at(from), b: at(to) };
   return { kind: "measure", from, to, hit: null, question, distance: ask(question).distance };
 }
-/** The way, the point and normal of the hit, and where a body is on its way; `size` is that of what is seen. */
+/** Draws the way, the point and normal of the hit, and a body on its way; `size` is that of the picture. */
 export function drawShot(d: Drawing, run: Run, shot: Shot, size: number): void {
   const { from, to, hit, body, motion } = shot, on = onto(d, { look: { wide: true }, size: size * 1.5 });
   if (shot.distance !== undefined) {

@@ -1,5 +1,5 @@
-// Where a scene comes from: files that somebody chose or dropped, and one that `graze view` serves and that is read again
-// when it changes.
+// The sources of scenes: files that somebody chose or dropped, and one that `graze view` serves, which is
+// read again when it changes.
 
 import { button, h } from "../parts/dom.ts";
 import { readCapture, type Captured } from "./captured.ts";
@@ -9,15 +9,15 @@ import { WatchedFile } from "./watched.ts";
 
 const accepted = ".gltf,.glb,.bin,.obj,.stl,.ply,.svg,.json,.jsonl,.capture";
 
-/** A file that `graze view` serves: where it is, and who looks after it. */
+/** A file that `graze view` serves: its path, and the object that watches it. */
 export interface Served {
   path: string;
   watched: WatchedFile;
 }
-/** What is told of files. */
+/** The callbacks for files. */
 export interface Reader {
   onScene(scene: Scene): void;
-  /** A capture, and if it is served what has to be ended by who got it. */
+  /** Called with a capture, and if it is served with the watch that the receiver has to end. */
   onCapture(name: string, captured: Captured, served: Served | null): void;
   onTrouble(text: string): void;
 }
@@ -34,7 +34,7 @@ export class Source {
       onchange: () => void this.chosen([...(field.files ?? [])]) }) as HTMLInputElement;
     this.elements = [button("Open a file", () => field.click()), field];
   }
-  /** What is dropped on the element is opened. */
+  /** Opens files that are dropped on the element. */
   takeDrops(element: HTMLElement): void {
     element.addEventListener("dragover", (event) => event.preventDefault());
     element.addEventListener("drop", (event) => {
@@ -42,7 +42,7 @@ export class Source {
       void this.chosen([...(event.dataTransfer?.files ?? [])]);
     });
   }
-  /** Where the served file is. */
+  /** The path of the served file. */
   get served(): string | null {
     return this.served_?.path ?? null;
   }
@@ -50,7 +50,7 @@ export class Source {
     const watched = new WatchedFile(path, { onFile: (file) => this.read(file), onTrouble: (text) => this.reader.onTrouble(text) });
     this.served_ = { path, watched };
   }
-  /** Something else was chosen: the file is not looked after any more. */
+  /** Ends the watch, after something else was chosen. */
   unwatch(): void {
     this.handOver()?.watched.end();
   }
@@ -59,7 +59,7 @@ export class Source {
     this.served_ = null;
     return served;
   }
-  /** A scene, and with it the files of its buffers. */
+  /** Reads a scene, and with it the files of its buffers. */
   private async chosen(files: File[]): Promise<void> {
     const scene = files.find((file) => kindOf(file) !== "bin") ?? files[0];
     if (!scene) return;

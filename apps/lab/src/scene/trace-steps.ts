@@ -1,5 +1,5 @@
-// What the library did to answer a pair, a step at a time, drawn by its own trace drawing onto the scene: the axes that were
-// tried, or the iterations of GJK and then of EPA, whose Minkowski difference is drawn about A's place.
+// The steps of the library's search for a pair's distance, drawn by its own trace drawing onto the scene: the axes that
+// were tried, or the iterations of GJK and then of EPA, whose Minkowski difference is drawn about A's place.
 
 import type { graze, Trace } from "../graze.ts";
 import { onto } from "../parts/answers.ts";
@@ -10,7 +10,7 @@ import type { Vec } from "../question.ts";
 import type { AskedPair } from "./pair.ts";
 import type { Run } from "./run.ts";
 
-/** A step in words; none behind the last. In the order in which the library counts them. */
+/** A step in words, in the order in which the library counts them; none behind the last. */
 function wordsOf({ axes, gjk, epa }: Trace, step: number): string {
   if (step < axes.length) {
     const { name, overlap } = axes[step];
@@ -28,11 +28,11 @@ export class TraceSteps {
   private readonly forward: HTMLButtonElement;
   private readonly back: HTMLButtonElement;
   private bodies = "";
-  /** None is drawn before the first. */
+  /** The step that is drawn; none is before the first. */
   private step = -1;
   private trace: Trace | null = null;
 
-  /** `onStep`: another step is to be drawn. */
+  /** `onStep`: called when another step is to be drawn. */
   constructor(onStep: () => void) {
     const go = (by: number) => (): void => {
       this.step += by;

@@ -1,6 +1,6 @@
 // A file beside the page, which `graze view` serves, read again when it changes.
 
-/** What is told of it. */
+/** The callbacks of a watch. */
 export interface Watcher {
   onFile(file: File): Promise<void>;
   onTrouble(text: string): void;
@@ -8,18 +8,18 @@ export interface Watcher {
 
 export class WatchedFile {
   private timer = 0;
-  /** Nobody looks after it any more. */
+  /** Whether the watch has ended. */
   ended = false;
   private watcher: Watcher;
 
-  /** Nothing is fetched from elsewhere than where the page comes from. */
+  /** Begins to watch. Nothing is fetched from elsewhere than where the page comes from. */
   constructor(path: string, watcher: Watcher) {
     this.watcher = watcher;
     const where = new URL(path, location.href);
     if (where.origin === location.origin) void this.read(where, "");
     else watcher.onTrouble(`${path}: lies elsewhere`);
   }
-  /** From now on another is told of it. */
+  /** Sends further news to another watcher. */
   tell(watcher: Watcher): void {
     this.watcher = watcher;
   }
@@ -28,7 +28,7 @@ export class WatchedFile {
     this.ended = true;
   }
 
-  /** Reads it unless it is still of the version that is known; one that has versions is asked for again. */
+  /** Reads the file unless it still has the known version; a file with versions is checked again and again. */
   private async read(where: URL, known: string): Promise<void> {
     const name = decodeURIComponent(where.pathname.split("/").pop() ?? "");
     let version = known;

@@ -1,4 +1,4 @@
-// Lessons of axes, contacts and polygons: what a page says is what the library says.
+// Lessons of axes, contacts and polygons: a page shows the numbers of the library.
 
 import assert from "node:assert/strict";
 import { axisRows, example, step } from "./lesson-page.mjs";

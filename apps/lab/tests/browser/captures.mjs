@@ -56,7 +56,7 @@ test("viewer: opens a capture, and scrubs through it", async () => {
 
 test("viewer: opens captures of the plane, and in float", async () => {
   const page = await scene("shapes");
-  // All of worlds: a stored simulation has the bits of the solver that wrote it.
+  // These are captures of worlds: a stored simulation has the bits of the solver that wrote it.
   const captures = [["whole-plane-world", "A world of the plane in double: 3 frames", 3], ["whole-file", "A world in float: ", 0]];
   for (const [name, words, bodies] of captures) {
     await page.click('nav a:text-is("Lessons")');
@@ -134,7 +134,7 @@ test("captures: a frame is asked as a scene is", async () => {
   assert.equal(await page.textContent(".words h2"), "box 3");
   assert.match(await page.textContent(".side"), /shape\s*box.*kind\s*moves/s);
   assert.doesNotMatch(await page.textContent(".side"), /category/);
-  // By a click in the drawing: whatever is seen in its middle, and nothing at its edge.
+  // A click in the drawing selects the body in its middle, and nothing at its edge.
   const picture = await (await page.$(".stage3 canvas")).boundingBox();
   await page.mouse.click(picture.x + 3, picture.y + 3);
   assert.deepEqual((await shown(page)).selected, []);
@@ -152,7 +152,7 @@ test("captures: a frame is asked as a scene is", async () => {
 });
 
 test("captures: the address of one that is served holds frame, selection, layers and camera; of a scene what was done", async () => {
-  // As a program writes it on: two seconds once somebody has looked at the first one.
+  // The file grows as a program writes it: two seconds once somebody has looked at the first one.
   let written = 60;
   const heap = (request) => {
     const etag = `"${written}"`;

@@ -1,4 +1,4 @@
-// The viewer opens files of space and of the plane, and says what is wrong with broken ones.
+// The viewer opens files of space and of the plane, and names the fault of broken ones.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";

@@ -1,4 +1,4 @@
-// The lab in headless Chromium, and what all of its tests do there.
+// The lab in headless Chromium, and the functions that all of its tests use.
 //
 //   LAB_URL=http://...                a server that runs already, in place of the built lab in dist/
 //   GRAZE=build/release/bin/graze     the native program answers the questions, else the npm package in Node
@@ -45,8 +45,8 @@ export const browser = await chromium.launch({
 });
 export const axe = readFileSync(join(here, "node_modules/axe-core/axe.min.js"), "utf8");
 
-/** Opens a page of the lab; `files` lie beside it, by their names, as `graze view` serves them: bytes, or what answers each
- *  request. */
+/** Opens a page of the lab; `files` lie beside it, by their names, as `graze view` serves them: bytes, or a function
+ *  for the answer to each request. */
 export async function visit(hash, { files = {}, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, bypassCSP: options.bypassCSP ?? false, ...options });
   const page = await context.newPage();
@@ -93,7 +93,7 @@ export const numbers = (page) =>
     return copy.textContent;
   });
 
-/** Here a processor draws in place of a graphics card: fewer pixels, less time. */
+/** A small picture: here a processor draws in place of a graphics card. */
 export const small = { viewport: { width: 1000, height: 600 } };
 
 /** Drags a handle by the mouse. */
@@ -110,7 +110,7 @@ export async function drag(page, id, dx, dy) {
 export const traced = async (page) => JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, explain: true })));
 export const short = (x, digits = 4) => String(Number(x.toPrecision(digits))).replaceAll("-", "−");
 
-/** Runs what was asked for, and ends the process. */
+/** Runs the chosen tests, and ends the process. */
 export async function runAll() {
   await Promise.all(Array.from({ length: atOnce }, runTests));
   await browser.close();

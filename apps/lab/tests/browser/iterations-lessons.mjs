@@ -1,4 +1,4 @@
-// Lessons that iterate or search: every step shows the trace's numbers, and what is said of the end is true.
+// Lessons that iterate or search: every step shows the trace's numbers, and the text about the end is true.
 
 import assert from "node:assert/strict";
 import { example, step } from "./lesson-page.mjs";
@@ -62,7 +62,7 @@ test("GJK: what ends the search is said as it is: inside, on an edge, far away, 
   await space.context().close();
 });
 
-/** Of lessons whose steps are those of a trace: how many steps come before, and the numbers of each as the library has them. */
+/** Lessons whose steps are those of a trace: the number of steps before, and the library's numbers of each. */
 const walks = {
   epa: ({ trace }) => [1, trace.epa.map((s) => [s.polygon.length, s.faceDepth, s.foundDepth])],
   "time-of-impact": ({ trace }) => [2, (trace.steps ?? []).map((s) => [s.t, s.distance])],

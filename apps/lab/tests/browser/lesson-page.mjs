@@ -1,8 +1,8 @@
-// What tests do on the page of a lesson.
+// Actions of tests on the page of a lesson.
 
 import { frame } from "./harness.mjs";
 
-/** Goes to the step whose title is this. */
+/** Goes to the step with this title. */
 export async function step(page, title) {
   await page.click('button[aria-label^="First"]');
   while (!title.test(await page.textContent(".words h2"))) await page.click("[data-next]");

@@ -1,4 +1,4 @@
-// What tests do in the viewer.
+// Actions of tests in the viewer.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
@@ -12,7 +12,7 @@ export const press = (page, button, times) =>
   }, [button, times]);
 export const files = join(here, "../../examples/scenes");
 
-/** What touches lights up with its row: another picture than without. */
+/** Checks that contacts light up with their row: another picture than without. */
 export async function lightsUp(page) {
   const picture = await page.$(".stage3 canvas"), plain = await picture.screenshot();
   await page.hover(".numbers tbody tr:first-child");

@@ -17,7 +17,7 @@ for (const name of ["shapes", "pyramid", "heavy", "cradle", "bridge"])
     assert.ok(after.poses.every(Number.isFinite));
     assert.ok(after.deepest < 0.1, `${after.deepest} deep`);
     for (let i = 0; i < 10; i++) await page.click("[data-back]");
-    // To the last digits but few: a restored pose is made unit anew.
+    // Poses agree to the last digits but few: a restored one is made unit anew.
     const near = (x, y) => assert.ok(x.every((v, i) => Math.abs(v - y[i]) <= 1e-9), "the poses differ");
     near((await shown(page)).poses, first.poses);
     for (let i = 0; i < 10; i++) await page.click("[data-step]");
@@ -58,7 +58,7 @@ test("conformance scenes: each kind is chosen from the list and plays, and what 
     assert.ok(frames === 2 && poses.every(Number.isFinite), key);
     assert.ok(!(await page.isVisible(".trouble")), `${key}: ${await page.textContent(".trouble")}`);
   }
-  // By the address: a slider that goes to its stop two metres down, in four seconds.
+  // An address leads to a slider that goes to its stop two metres down, in four seconds.
   const slider = await visit("#/scene?scene=joint-05-slider", small);
   await slider.waitForFunction(() => /Joint 05 slider/.test(document.querySelector(".intro").textContent));
   await press(slider, "[data-step]", 240);

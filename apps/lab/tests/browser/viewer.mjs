@@ -180,7 +180,7 @@ test("viewer: layers are switched off and on, the address holds them, the speed 
   await page.click('.numbers button.choose:text-is("light × heavy")');
   const points = () => page.evaluate(() => window.lab.stage.pointsSeen.length);
   const picture = () => page.$(".stage3 canvas").then((canvas) => canvas.screenshot());
-  /** What the scene is drawn with, and whether bodies are. */
+  /** The number of things that the scene is drawn with, and whether bodies are among them. */
   const drawn = () => page.evaluate(() => window.lab.stage.drawn.children.length + Number(window.lab.stage.crowd.group.visible));
   const some = await points(), plain = await picture();
   assert.ok(some > 0);
