@@ -1,4 +1,4 @@
-// The broad phases by number, as C has them, and by name, as Python has them.
+// The broad phases by their numbers in C, and by their names in Python.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The numbers under which a captured simulation keeps its states, as things of the languages that have handles.
+// The numbers under which a captured simulation keeps its states, as objects of the languages that have handles.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace graze {
 
-/// Which numbers of a simulation's states belong to a handle.
+/// The numbers of a simulation's states that belong to handles.
 using TakenNumbers = std::shared_ptr<std::array<bool, CapturedSimulation<double>::most_states>>;
 
 /// The number of a kept state, free again when the handle that has it ends; or none.
@@ -20,7 +20,7 @@ struct StateNumber {
   std::size_t number = 0;
 
   StateNumber() = default;
-  /// Throws `InvalidValue` where all are taken.
+  /// Takes a free number. Throws `InvalidValue` where all are taken.
   explicit StateNumber(const TakenNumbers& taken) : of(taken) {
     const auto free = std::find(taken->begin(), taken->end(), false);
     if (free == taken->end())
@@ -37,7 +37,7 @@ struct StateNumber {
     if (of) (*of)[number] = false;
   }
 
-  /// Throws `InvalidValue` for the state of another simulation.
+  /// Checks the simulation. Throws `InvalidValue` for the state of another one.
   void check(const TakenNumbers& simulation) const {
     if (of != simulation)
       validate::fail("state", "one of this simulation", "one of another, which is captured or where this one is");

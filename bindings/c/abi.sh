@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Compares the binary interface that include/graze/graze.h declares (functions, parameters, members of structs and where
-# they lie, enumerators) with the one recorded in bindings/c/abi.xml, by libabigail; --update records it anew, as is
+# Compares the binary interface that include/graze/graze.h declares (functions, parameters, members of structs and their
+# offsets, enumerators) with the one recorded in bindings/c/abi.xml, by libabigail; --update records it anew, as is
 # right where a new version changes it on purpose.
 #
-# The library is made of empty functions, one for each declaration, so that the record holds what C programs see and
+# The library is made of empty functions, one for each declaration, so that the record holds the view of C programs and
 # nothing of the inside; that libgraze.so has exactly these functions is a test of its own (install.symbols).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -20,7 +20,7 @@ trap 'rm -rf "$work"' EXIT
 
 if [[ ${1:-} == --update ]]; then
   abidw --no-show-locs --no-corpus-path --no-comp-dir-path --no-elf-needed --out-file "$record" "$work/libgraze.so"
-  # Names of this machine's places would differ elsewhere.
+  # Paths of this machine would differ elsewhere.
   sed -i -E "s, path='[^']*',,; s, comp-dir-path='[^']*',," "$record"
   echo "$record: $(grep -c '<elf-symbol' "$record") functions"
 elif ! abidiff --no-show-locs "$record" "$work/libgraze.so"; then

@@ -1,4 +1,4 @@
-// What C hands over, read and checked: handles, arrays with strides, poses, numbers.
+// Arguments from C, read and checked: handles, arrays with strides, poses, numbers.
 //
 // Guarantee: each function throws `InvalidValue` that names the parameter, and otherwise returns the value bit for bit.
 #pragma once
@@ -15,13 +15,14 @@
 
 namespace graze::c {
 
-/// The same bytes as another type. Not every standard library has `std::bit_cast`; Emscripten's of Debian 12 has not.
+/// The bits of a value as another type. Not every standard library has `std::bit_cast`; Emscripten's of Debian 12 has
+/// not.
 template <class To, class From>
 constexpr To same_bytes(const From& value) {
   return __builtin_bit_cast(To, value);
 }
 
-/// What a pointer must not be.
+/// Throws for a null pointer where none is allowed.
 [[noreturn]] inline void null(const char* path) { validate::fail(path, "a pointer", "null"); }
 
 template <class P>
@@ -31,7 +32,7 @@ P* given(P* pointer, const char* path) {
 }
 
 /// The object behind a handle. Every such object begins with a number of its kind, so that a handle of another kind is
-/// refused: languages that call C know pointers without types.
+/// refused: in languages that call C, pointers may have no types.
 template <class H>
 H& opened(H* handle, const char* path) {
   if (handle == nullptr) null(path);
@@ -58,7 +59,7 @@ const E* array(const E* first, std::size_t count, const char* path) {
   return first;
 }
 
-/// `path` of the i-th element.
+/// The path of the i-th element.
 inline std::string at(const char* path, std::size_t i) { return std::string(path) + "[" + std::to_string(i) + "]"; }
 
 /// An enumerator, by its number: one of the first `count`.
@@ -70,7 +71,7 @@ To enumerator(From value, int count, const char* path) {
   return static_cast<To>(number);
 }
 
-/// How far the squared length of a rotation may be from 1: what is further off is a mistake and no rounding, since
+/// The largest difference from 1 of the squared length of a rotation: a larger one is a mistake and no rounding, since
 /// even rotations from half precision (2^-11 a number) are nearer.
 template <class T>
 inline constexpr T unit_slack = T(1e-2);
@@ -80,7 +81,7 @@ bool unit(T squared) {
   return squared >= T(1) - unit_slack<T> && squared <= T(1) + unit_slack<T>;
 }
 
-/// Why a pose is refused: thrown from here, so that the check itself is short.
+/// Throws the reason why a pose is refused: a function of its own, so that the check itself is short.
 template <class T>
 [[noreturn]] void refuse(const Pose<T>& pose, const std::string& path) {
   validate::point(pose.translation, path + ".translation");
@@ -118,7 +119,7 @@ bool good(const plane::Pose2<T>& pose) {
   return good(pose.translation) && unit(q.cosine * q.cosine + q.sine * q.sine);
 }
 
-/// A pose whose numbers may be asked about.
+/// A pose whose numbers queries take.
 template <class P>
 const P& checked(const P& pose, const char* path) {
   if (!good(pose)) refuse(pose, path);
@@ -133,7 +134,7 @@ T duration(T value, const char* path = "duration") {
   return value;
 }
 
-/// How far a question looks: >= 0, without end where it is infinite.
+/// The reach of a query: >= 0, without end where it is infinite.
 template <class T>
 T reach(T value, const char* path) {
   if (!(value >= T(0))) validate::fail(path, "a number >= 0", static_cast<double>(value));

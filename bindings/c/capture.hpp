@@ -1,4 +1,4 @@
-// Captures for C: where they go, and what a replay came to.
+// Captures for C: their sink, and the report of a replay.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace graze::c {
 
-/// The caller's function as what takes a capture.
+/// The caller's function as the sink of a capture.
 inline CaptureSink sink_of(GrazeWriteFunction write, void* user) {
   given(write, "write");
   return [write, user](std::string_view bytes) { return write(user, bytes.data(), bytes.size()); };
@@ -44,7 +44,7 @@ inline GrazeReplayReport report_of(const ReplayReport& played) {
   out.differs = true;
   out.frame = played.difference->frame;
   out.call = played.difference->call;
-  // What does not fit is cut; the last byte stays zero.
+  // A text that does not fit is cut; the last byte stays zero.
   played.difference->what.copy(out.what, sizeof(out.what) - 1);
   return out;
 }

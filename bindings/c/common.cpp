@@ -1,4 +1,5 @@
-// What the C interface has once for both scalars: the last error, the version, default filters, heads of captures.
+// The parts of the C interface that both scalars share: the last error, the version, default
+// filters, heads of captures.
 #include <cstring>
 
 #include "c/arguments.hpp"

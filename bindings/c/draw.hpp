@@ -52,7 +52,7 @@ class CallersDraw final : public DebugDraw {
   GrazeDebugDraw on_;
 };
 
-/// Where a renderer looks at a whole world.
+/// Sets the area of a renderer to that of a whole world.
 template <class AnyWorld>
 void look_at(const AnyWorld& world, GrazeDebugDraw* on) {
   given(on, "on");

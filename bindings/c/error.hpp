@@ -1,4 +1,4 @@
-// Where exceptions end: each function of the C interface does its work inside `guarded`.
+// The end of exceptions: each function of the C interface does its work inside `guarded`.
 //
 // Guarantee: nothing is thrown, whatever the work throws; the message of the last failure is the thread's own and takes
 // no memory that could be missing.
@@ -16,8 +16,8 @@ namespace graze::c {
 /// Keeps `message` (or as much as there is room for) as the thread's last error; returns `status`.
 GrazeStatus failed(GrazeStatus status, const char* message) noexcept;
 
-/// What `work` comes to: GRAZE_OK, or the status of what it threw. Where the library is compiled without exceptions, a
-/// value that is refused ends the program, as it does for C++.
+/// The status of `work`: GRAZE_OK, or that of the exception that it threw. Where the library is compiled without
+/// exceptions, a value that is refused ends the program, as it does for C++.
 template <class F>
 GrazeStatus guarded(const F& work) noexcept {
 #ifdef __cpp_exceptions

@@ -1,7 +1,7 @@
 // Many pairs as C describes them, handed to the C++ batches a chunk at a time.
 //
-// Guarantee: everything is checked before the first pair is asked about. Poses that stand one behind the other are read
-// where they are; all else is gathered for a chunk of pairs, which stays in the cache.
+// Guarantee: everything is checked before the first pair is computed. Poses that stand one behind the other are read
+// where they are; all others are gathered for a chunk of pairs, which stays in the cache.
 #pragma once
 
 #include <algorithm>

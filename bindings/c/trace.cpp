@@ -1,4 +1,4 @@
-// Traces, which are the same for both scalars: how C sees them.
+// Traces in the form of C, the same for both scalars.
 #include "c/trace.hpp"
 
 #include "c/draw.hpp"
@@ -12,7 +12,7 @@ using graze::c::given;
 using graze::c::guarded;
 using graze::c::opened;
 
-/// Values with the same members in the same order in both languages.
+/// An array as one of the other language, whose values have the same members in the same order.
 template <class To, class From>
 const To* same_array(const std::vector<From>& from) {
   static_assert(sizeof(To) == sizeof(From) && alignof(To) == alignof(From));

@@ -1,4 +1,4 @@
-// What stands behind a trace of the C interface: the library's own, and the arrays in which C sees it.
+// The object behind a trace of the C interface: the library's own trace, and its arrays in the form of C.
 #pragma once
 
 #include "c/arguments.hpp"
@@ -9,7 +9,7 @@ struct GrazeTrace {
   static constexpr const char* name = "a trace";
   std::uint32_t tag = own_tag;
   graze::Trace told;
-  // What C sees of it, made by `graze_trace_view`.
+  // Arrays for C, made by `graze_trace_view`.
   std::vector<GrazeTraceAxis> axes;
   std::vector<GrazeTraceGjk> gjk;
   std::vector<GrazeTraceEpa> epa;
@@ -22,7 +22,7 @@ struct GrazeTrace {
 
 namespace graze::c {
 
-/// What a query tells what it did, emptied of what was told before; null where nobody asks.
+/// The trace that a query fills, emptied first; null where the caller wants none.
 inline Trace* emptied(GrazeTrace* trace) {
   if (trace == nullptr) return nullptr;
   Trace& told = opened(trace, "trace").told;

@@ -1,7 +1,7 @@
-// What changes a world of C's, captured or not.
+// The changes of a world of C's, captured or not.
 //
-// Behind virtual functions, so that who makes no captured world links nothing of captures: a module of WebAssembly is
-// smaller by that. One call of the C interface is one virtual call.
+// They stand behind virtual functions, so that a program without captured worlds links nothing of captures: a module of
+// WebAssembly is smaller by that. One call of the C interface is one virtual call.
 #pragma once
 
 #include <memory>
@@ -31,18 +31,18 @@ class WorldChanges {
   virtual void set_shape(BodyId id, Shape shape) = 0;
   virtual void set_filter(BodyId id, const Filter& filter) = 0;
   virtual void set_fast(BodyId id, bool fast) = 0;
-  /// Kept in a capture alone.
+  /// Sets a name, which is kept in a capture alone.
   virtual void set_name(BodyId id, const char* name) = 0;
   virtual void update(T duration) = 0;
   virtual void find_impacts(T duration) = 0;
 
-  /// For everything that is asked.
+  /// The world for all queries.
   virtual const World<T, Space>& world() const = 0;
   /// The world itself, to be changed in ways that no capture holds; null for a captured one.
   virtual World<T, Space>* uncaptured() = 0;
 };
 
-/// `Inner` is a `World` or a `CapturedWorld`.
+/// The changes of `Inner`, a `World` or a `CapturedWorld`.
 template <class Inner, class T, class Space>
 class WorldChangesOf final : public WorldChanges<T, Space> {
   using Base = WorldChanges<T, Space>;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes what follows from one place into the C header: the version from CMakeLists.txt, and the part for float from the
-# part for double, without its comments. With --check it only says whether the header is as it would be written.
+# Writes the derived parts of the C header: the version from CMakeLists.txt, and the part for float from the part for
+# double, without its comments. With --check it only reports whether the header is as it would be written.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 header=include/graze/graze.h

@@ -1,5 +1,4 @@
-// Functions of JavaScript behind the C interface's callbacks: `user` is the number by which JavaScript knows its
-// function.
+// Functions of JavaScript behind the C interface's callbacks: `user` is the number of the function in JavaScript.
 #include <malloc.h>
 
 #include <algorithm>
@@ -19,7 +18,7 @@ bool graze_js_call_allow(std::uintptr_t key, std::uint32_t a, std::uint32_t a_ge
 GRAZE_JS_IMPORT("accept") bool graze_js_call_accept(std::uintptr_t key, std::uint32_t index, std::uint32_t generation);
 GRAZE_JS_IMPORT("support") void graze_js_call_support(std::uintptr_t key, const void* direction, void* point);
 GRAZE_JS_IMPORT("release") void graze_js_call_release(std::uintptr_t key);
-/// One place, or two of a line, or three of a triangle; of three numbers each.
+/// Draws one place, or two of a line, or three of a triangle; of three numbers each.
 GRAZE_JS_IMPORT("draw")
 void graze_js_call_draw(std::uintptr_t key, const double* places, int count, int layer, int meaning);
 GRAZE_JS_IMPORT("arrow")
@@ -57,7 +56,7 @@ void frame(void* user, std::size_t number, const void* world, const void* plane_
 
 bool write(void* user, const void* bytes, std::size_t size) { return graze_js_call_write(key_of(user), bytes, size); }
 
-/// Hands places on, one behind the other.
+/// Passes places on, one behind the other.
 template <class... Places>
 void hand_on(void* user, GrazeDrawLayer layer, GrazeDrawMeaning meaning, Places... places) {
   double all[3 * sizeof...(places)];
@@ -96,8 +95,7 @@ GRAZE_JS_EXPORT("graze_js_frame") void* graze_js_frame() { return reinterpret_ca
 
 GRAZE_JS_EXPORT("graze_js_write") void* graze_js_write() { return reinterpret_cast<void*>(&write); }
 
-/// Makes a renderer hand everything to the functions of JavaScript with that number; `arrows`: whether there is one for
-/// these.
+/// Makes a renderer call the functions of JavaScript with that number; `arrows`: whether there is one for arrows.
 GRAZE_JS_EXPORT("graze_js_debug_draw") void graze_js_debug_draw(GrazeDebugDraw* on, std::uintptr_t key, bool arrows) {
   on->user = reinterpret_cast<void*>(key);
   on->point = &point;
@@ -107,7 +105,7 @@ GRAZE_JS_EXPORT("graze_js_debug_draw") void graze_js_debug_draw(GrazeDebugDraw* 
   if (arrows) on->arrow = &arrow;
 }
 
-/// Bytes that are allocated.
+/// The number of bytes that are allocated.
 GRAZE_JS_EXPORT("graze_js_memory_in_use") std::size_t graze_js_memory_in_use() {
   return static_cast<std::size_t>(mallinfo().uordblks);
 }

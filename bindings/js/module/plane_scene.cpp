@@ -15,7 +15,7 @@ using graze::io::XmlElement;
 
 std::string scene;  ///< the last one
 
-/// An element is [name, line, {attribute: value, ...}, [elements inside]], made by the package's own script.
+/// An element from [name, line, {attribute: value, ...}, [elements inside]], as the package's own script makes it.
 XmlElement element_of(const Json& json, int depth = 0) {
   if (depth > graze::io::most_xml_depth)
     throw graze::InvalidValue("", "elements nested at most 100 deep", "deeper ones");
@@ -37,7 +37,7 @@ std::string read(std::string_view elements) {
 
 extern "C" {
 
-/// Reads a drawing of `length` bytes; answers where the scene's bytes are, and writes how many to `count`.
+/// Reads a drawing of `length` bytes; returns where the scene's bytes are, and writes their number to `count`.
 __attribute__((export_name("graze_js_plane_scene"))) const char* graze_js_plane_scene(const char* elements,
                                                                                       std::size_t length,
                                                                                       std::size_t* count) {

@@ -11,7 +11,7 @@ std::string answer;  ///< the last one
 
 extern "C" {
 
-/// Answers the line of `length` bytes; answers where the answer's bytes are, and writes how many to `count`.
+/// Answers the line of `length` bytes; returns where the answer's bytes are, and writes their number to `count`.
 __attribute__((export_name("graze_js_answer"))) const char* graze_js_answer(const char* line, std::size_t length,
                                                                             bool explained, std::size_t* count) {
   const std::string_view text(line, length);

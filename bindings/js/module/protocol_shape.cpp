@@ -1,4 +1,4 @@
-// Shapes as the query protocol has them, for JavaScript, in the manner of the C interface.
+// Shapes as JSON of the query protocol, for JavaScript, in the manner of the C interface.
 #include <atomic>
 #include <string>
 
@@ -13,7 +13,7 @@ namespace {
 
 std::string text;  ///< the last one
 
-/// Shows where the shape's text begins, and how many bytes it has.
+/// Gives the beginning of the shape's text, and its number of bytes.
 template <class Handle>
 GrazeStatus written(const Handle* shape, const char** first, std::size_t* count) {
   return graze::c::guarded([&] {

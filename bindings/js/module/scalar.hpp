@@ -1,4 +1,4 @@
-// The scalar of the module, and names that go with it, for functions that are JavaScript's own.
+// The scalar of the module, and names that go with it, for functions that only JavaScript has.
 //
 // GRAZE_C_TAG and TYPE are those of the C interface (c/double.cpp, c/float.cpp), so that its handles can be opened.
 #pragma once

@@ -13,7 +13,7 @@ namespace graze::python {
 
 namespace {
 
-// The NumPy type `nearest` of graze/mpi.py.
+// The layout of the NumPy type `nearest` of graze/mpi.py.
 static_assert(offsetof(mpi::NearestOfChain, link) == 8 && offsetof(mpi::NearestOfChain, other) == 12 &&
               sizeof(mpi::NearestOfChain) == 16);
 

@@ -1,9 +1,9 @@
-// Who may use a world or a simulation at a time.
+// The guard of a world or a simulation against calls that meet.
 //
 // Guarantee: while a call changes the thing, any other use of it raises RuntimeError, and while a call reads it, any
-// change does, instead of reading what is half written. Calls meet where one releases the interpreter's lock, and where
-// a shape's support function, written in Python, is run in the middle of one. The counts are read and written with the
-// lock held, so they need no other.
+// change does, instead of reading a state that is half written. Calls meet where one releases the interpreter's lock,
+// and where a shape's support function, written in Python, is run in the middle of one. The counts are read and written
+// with the lock held, so they need no other.
 #pragma once
 
 #include "convert.hpp"
@@ -12,7 +12,7 @@ namespace graze::python {
 
 class Alone {
  public:
-  /// Something read: others may read it too as long as this lives.
+  /// A read of a thing: others may read it too as long as this lives.
   template <class Thing>
   class Reading {
    public:
@@ -31,7 +31,7 @@ class Alone {
     const Alone* alone_;
   };
 
-  /// Something changed: nobody else may use it as long as this lives.
+  /// A change of a thing: nobody else may use it as long as this lives.
   template <class Thing>
   class Changing {
    public:

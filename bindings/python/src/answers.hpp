@@ -1,4 +1,4 @@
-// The answers as Python sees them: plain objects whose vectors are arrays, and records of many.
+// Answers for Python: plain objects whose vectors are arrays, and records of many.
 #pragma once
 
 #include "convert.hpp"
@@ -8,7 +8,7 @@ namespace graze::python {
 /// A trace as a dictionary of lists, tuples and numbers.
 py::dict object_of(const Trace& trace);
 
-/// An answer as an object of Python's, which it may be already.
+/// An answer as an object of Python, which it may be already.
 template <class Answer>
 py::object object_of_answer(Answer&& answer) {
   if constexpr (std::is_base_of_v<py::handle, std::decay_t<Answer>>)

@@ -1,5 +1,5 @@
-// The questions about many pairs at once. Poses are read where they stand and answers are not copied; the interpreter's
-// lock is released while they are found.
+// Queries of many pairs at once. Poses are read where they stand and answers are not copied; the interpreter's lock is
+// released while they are found.
 #include "row_batches.hpp"
 #include "space_batch.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 using Contacts = BatchContacts<double>;
 
-/// The near pieces of all pairs, and where those of each end.
+/// The near pieces of all pairs, and where those of each pair end.
 struct Pieces {
   std::vector<PieceDistance<double>> all;
   std::vector<std::uint64_t> ends;

@@ -1,4 +1,4 @@
-// Broad phases by themselves, and what a convex hull's support query looks at.
+// Broad phases by themselves, and the vertices that a convex hull's support query looks at.
 #include "broad_phase_kinds.hpp"
 #include "graze/shape/support_trace.hpp"
 #include "shapes.hpp"
@@ -15,7 +15,7 @@ std::unique_ptr<Broad> broad_phase_of(const std::string& kind) {
   validate::fail("kind", "dynamic_tree, sort_and_sweep, sweep_and_prune, hashed_grid, loose_octree or bsp", kind);
 }
 
-/// A box to ask about, whose corners are the right way round; numbers may be infinite.
+/// A box for a query, whose corners are the right way round; numbers may be infinite.
 Aabb<double> box_of(const Vector& lower, const Vector& upper) {
   for (std::size_t i = 0; i < 3; ++i)
     if (!(lower.value[i] <= upper.value[i]))

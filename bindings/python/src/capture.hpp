@@ -31,7 +31,7 @@ class ToFile : private CaptureFile, public Captured {
       : CaptureFile(file), Captured(&stream(), settings) {}
 };
 
-/// A captured simulation, whose states are things of Python's.
+/// A captured simulation, whose states are objects of Python.
 template <class Space>
 class SimulationToFile : public ToFile<CapturedSimulation<double, Space>> {
  public:
@@ -51,7 +51,7 @@ class SimulationToFile : public ToFile<CapturedSimulation<double, Space>> {
   TakenNumbers states_ = std::make_shared<TakenNumbers::element_type>();
 };
 
-// What is asked, where changes may go through a capture.
+// The world or simulation for queries, where changes may go through a capture.
 template <class T, class Space>
 const World<T, Space>& asked(const World<T, Space>& world) {
   return world;

@@ -54,7 +54,7 @@ Quatd quaternion_of(const double (&m)[16], const char* path) {
     q[3] = r.row[k][j] - r.row[j][k];
   }
   const Quatd found = validate::rotation(Quatd{q[0], q[1], q[2], q[3]}, path);
-  // What is scaled, mirrored or sheared is no pose: its matrix is not that of the rotation by more than rounding.
+  // A scaled, mirrored or sheared matrix is no pose: it differs from that of the rotation by more than rounding.
   const Mat3d back = rotation_matrix(found);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)

@@ -1,7 +1,7 @@
-// What Python passes for a vector, a rotation and a pose, and how numbers go back.
+// Vectors, rotations and poses from the forms that Python passes, and numbers for Python.
 //
-// Guarantee: what is not of that form is a TypeError, what is no such value a ValueError that names it; a pose that has
-// passed here is finite and its quaternion of unit length, so that queries may trust it.
+// Guarantee: an argument of another form is a TypeError, a value that is refused a ValueError that names it; a pose
+// that has passed here is finite and its quaternion of unit length, so that queries may trust it.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -15,7 +15,7 @@ namespace graze::python {
 
 namespace py = pybind11;
 
-/// What rounding leaves of unit length, squared, where a rotation was computed or stored in single precision.
+/// The rounding of a unit length, squared, where a rotation was computed or stored in single precision.
 inline constexpr double unit_slack = 1e-6;
 
 /// A parameter that takes three numbers: a tuple, a list, an array.

@@ -73,7 +73,7 @@ void add_worlds(py::module_& m) {
       py::arg("world"), "(center, size) of what has to be looked at to see all of a world.");
 }
 
-/// The answers that have a picture, of space or of the plane.
+/// Defines the drawing of an answer, of space or of the plane.
 template <class Answer>
 void add_answer(py::module_& m, const char* doc) {
   m.def(

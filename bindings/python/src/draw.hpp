@@ -1,4 +1,4 @@
-// A renderer of Python's: an object with as many of a renderer's methods as it likes.
+// A renderer in Python: an object with any of a renderer's methods.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace graze::python {
 
-/// What draws while one call of `draw` takes.
+/// The renderer that draws while one call of `draw` takes.
 class PythonDraw final : public DebugDraw {
  public:
   /// Reads `center`, `size` and `layers` where the object has them. Throws `InvalidValue` for other values.
@@ -29,7 +29,7 @@ class PythonDraw final : public DebugDraw {
   py::object point_, line_, triangle_, text_, polygon_, arrow_;
 };
 
-/// Throws `InvalidValue` for a word that is none.
+/// The meaning of a word. Throws `InvalidValue` for a word that is none.
 DrawMeaning meaning_of(const std::string& word);
 
 }  // namespace graze::python

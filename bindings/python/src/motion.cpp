@@ -7,7 +7,7 @@ namespace graze::python {
 
 namespace {
 
-/// How mass is given in space: by three moments or a matrix.
+/// The mass of a body in space: given by three moments or a matrix.
 struct SpaceMotion : SpaceBatch {
   using VectorGiven = python::Vector;
   using TurningGiven = python::Vector;
@@ -47,7 +47,7 @@ struct SpaceMotion : SpaceBatch {
   }
 };
 
-/// How mass is given in the plane: by numbers.
+/// The mass of a body in the plane: given by numbers.
 struct PlaneMotion : PlaneBatch {
   using VectorGiven = Vector2;
   using TurningGiven = double;

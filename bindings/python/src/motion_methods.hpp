@@ -1,5 +1,5 @@
-// Bodies as blows meet them, blows that are passed on, and free motion: written once for space and the plane. `Words`
-// says what differs (`motion.cpp`).
+// Bodies as blows meet them, blows that are passed on, and free motion: written once for space and the plane, which
+// differ in their `Words` (`motion.cpp`).
 #pragma once
 
 #include "row_batches.hpp"
@@ -30,14 +30,14 @@ struct MotionMethods {
   using VectorGiven = typename Words::VectorGiven;
   using TurningGiven = typename Words::TurningGiven;
 
-  /// A vector or a turning whose numbers may be computed with.
+  /// A vector or a turning with numbers that queries take.
   template <class Given>
   static auto checked_value(const Given& given, const char* path) {
     Words::check(Words::value_of(given), path);
     return Words::value_of(given);
   }
 
-  /// One of many blows as Python has it: its points are not yet among those of the others.
+  /// One of many blows in the form of Python: its points are not yet among those of the others.
   struct Meeting {
     std::uint32_t a, b;
     typename Words::Vector normal;

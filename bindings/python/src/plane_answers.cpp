@@ -1,4 +1,4 @@
-// The answers about the plane as Python sees them.
+// Answers about the plane for Python.
 #include "plane_convert.hpp"
 
 namespace graze::python {

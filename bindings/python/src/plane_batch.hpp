@@ -1,11 +1,11 @@
-// What batches of the plane are made of: the words that `sides.hpp` and `row_batches.hpp` are written with.
+// The types and functions of the plane with which `sides.hpp` and `row_batches.hpp` are written.
 #pragma once
 
 #include "plane_convert.hpp"
 
 namespace graze::python {
 
-/// The plane: vectors of two numbers, a number for a velocity of turning; rows of four numbers for poses.
+/// The words of the plane: vectors of two numbers, a number for a velocity of turning; rows of four numbers for poses.
 struct PlaneBatch {
   using Shape = plane::Shaped;
   using Pose = plane::Pose2d;
@@ -37,7 +37,7 @@ struct PlaneBatch {
   static void check(double turning, const std::string& path) {
     if (const char* expectation = validate::fault_of_coordinate(turning)) validate::fail(path, expectation, turning);
   }
-  /// What stands in an array is used as it is: its rotations have to be of unit length already.
+  /// Checks a pose of an array, which is used as it is: its rotation has to be of unit length already.
   static void check(const Pose& p, const std::string& name, std::size_t i) {
     const double square = p.rotation.cosine * p.rotation.cosine + p.rotation.sine * p.rotation.sine;
     if (!validate::fault_of_coordinate(p.translation.x) && !validate::fault_of_coordinate(p.translation.y) &&

@@ -1,4 +1,4 @@
-// The questions about many pairs of the plane at once. Poses are read where they stand and answers are not copied; the
+// Queries of many pairs of the plane at once. Poses are read where they stand and answers are not copied; the
 // interpreter's lock is released while they are found.
 #include "plane_batch.hpp"
 #include "row_batches.hpp"

@@ -1,6 +1,6 @@
-// What Python passes for a vector and a pose of the plane, and how they go back.
+// Vectors and poses of the plane from the forms that Python passes, and back.
 //
-// Guarantee: as convert.hpp: a pose that has passed here is finite and its rotation of unit length.
+// Guarantee: that of convert.hpp: a pose that has passed here is finite and its rotation of unit length.
 #pragma once
 
 #include "answers.hpp"
@@ -31,7 +31,7 @@ std::vector<plane::Vec2d> points_of_plane(py::handle from, const char* name);
 bool read_vector(py::handle from, plane::Vec2d& to);
 /// A pose in any of its forms. Throws `InvalidValue` for numbers that are no pose.
 bool read_pose(py::handle from, plane::Pose2d& to);
-/// A point whose coordinates queries take.
+/// A point with coordinates that queries take.
 plane::Vec2d checked(const plane::Vec2d& point, const char* name);
 /// The rotation of a cosine and a sine, brought to unit length. Throws `InvalidValue` where they are none.
 plane::Rot2d unit_rotation(double cosine, double sine, const char* path);

@@ -7,7 +7,7 @@ namespace {
 
 using plane::Pose2d, plane::Rot2d, plane::Vec2d;
 
-/// By how much the columns of a matrix may miss unit length and a right angle: what single precision leaves of them.
+/// The error of a matrix's columns in unit length and right angle that single precision leaves.
 constexpr double matrix_slack = 1e-6;
 
 Rot2d rotation_of(double angle) {
@@ -36,7 +36,7 @@ py::array_t<double> matrix_of(const Pose2d& p) {
 
 double angle_of(const Pose2d& p) { return std::atan2(p.rotation.sine, p.rotation.cosine); }
 
-/// Forms that are numbers in a row; false for anything else.
+/// A pose from a row of numbers; false for anything else.
 bool read_row(py::handle from, Pose2d& to) {
   double n[9];
   if (read_numbers(from, n, 2))
@@ -166,7 +166,7 @@ array([1., 3.])
            [](const Pose2d& p) {
              return py::str("graze.plane.Pose(translation={}, angle={})").format(tuple_of(p.translation), angle_of(p));
            })
-      // By cosine and sine, not by the angle, which rounds.
+      // A pose is stored by cosine and sine, not by the angle, which rounds.
       .def(py::pickle(
           [](const Pose2d& p) {
             return py::make_tuple(p.translation.x, p.translation.y, p.rotation.cosine, p.rotation.sine);

@@ -1,4 +1,4 @@
-// The questions about one pair, one shape or one ray of the plane.
+// Queries of one pair, one shape or one ray of the plane.
 #include "plane_convert.hpp"
 #include "traced.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 
 using plane::Shaped;
 
-/// As `traced`, for questions whose answers are the library's.
+/// `traced` for queries whose answers are the library's.
 template <class F>
 py::object answered(const py::object& trace, const F& ask) {
   return traced(trace, [&](Trace* t) { return object_of_answer(ask(t)); });
@@ -217,7 +217,7 @@ void add_plane_queries(py::module_& m) {
 
 void add_plane(py::module_& m) {
   py::module_ plane = m.def_submodule("_plane", "The same words in two dimensions.");
-  plane.attr("__name__") = "graze.plane";  // what its classes say they belong to
+  plane.attr("__name__") = "graze.plane";  // the module that its classes name as theirs
   add_plane_pose(plane);
   add_plane_shapes(plane);
   add_plane_answers(plane);

@@ -29,7 +29,7 @@ using Polygon = plane::Polygon<double>;
 using Chain = plane::Chain<double>;
 using Compound = plane::Compound<double>;
 
-/// A support function of Python's.
+/// A support function in Python.
 class PythonSupport final : public plane::SupportFunction<double> {
  public:
   explicit PythonSupport(py::function function) : function_(std::move(function)) {}
@@ -40,8 +40,8 @@ class PythonSupport final : public plane::SupportFunction<double> {
     function_ = py::function();
   }
 
-  /// What Python raises in a query cannot pass through it: it is reported as Python reports errors in destructors, and
-  /// the origin answers.
+  /// The support point. An exception of Python cannot pass through a query: it is reported as Python reports errors in
+  /// destructors, and the point is the origin.
   plane::Vec2d support(const plane::Vec2d& direction) const override {
     const py::gil_scoped_acquire lock;
     try {
@@ -61,7 +61,7 @@ class PythonSupport final : public plane::SupportFunction<double> {
   py::function function_;
 };
 
-// Polygons and chains hold their pieces, not what they were made of: their classes keep the points besides.
+// Polygons and chains hold their pieces, not their points: their classes keep the points besides.
 
 struct OfPolygon : Of<Polygon> {
   OfPolygon(std::vector<plane::Vec2d> given, double rounding)
@@ -138,7 +138,7 @@ py::dict all_arguments(const Class& shape) {
   return a;
 }
 
-/// What `repr` shows of an argument: of an array only how large it is.
+/// An argument in the text of `repr`: of an array only its shape.
 std::string text_of_argument(py::handle value) {
   if (py::isinstance<py::array>(value)) return "<array of shape " + std::string(py::str(value.attr("shape"))) + ">";
   return std::string(py::str(py::repr(value)));

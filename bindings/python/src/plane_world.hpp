@@ -12,7 +12,7 @@ struct PlaneShapeObject {
   py::object object;
 };
 
-/// The plane: vectors of two numbers, a number for a velocity of turning; rows of four numbers for poses.
+/// The words of the plane: vectors of two numbers, a number for a velocity of turning; rows of four numbers for poses.
 struct PlaneWords {
   using Space = plane::Space<double>;
   using Vector = Vector2;
@@ -47,7 +47,7 @@ struct PlaneWords {
   static py::array_t<double> object_of(const plane::Vec2d& v) { return array_of(v); }
   static py::float_ object_of(double turning) { return py::float_(turning); }
   static plane::Velocity<double> velocity(const Vector2& linear, double angular);
-  /// Throws `InvalidValue` that names the part.
+  /// A pose from a row. Throws `InvalidValue` that names the part.
   static plane::Pose2d pose_of_row(const double* p);
   static plane::Vec2d vector_of_row(const double* p) { return checked({p[0], p[1]}, "impulse"); }
 };

@@ -1,4 +1,4 @@
-// The questions about one pair, one shape or one ray.
+// Queries of one pair, one shape or one ray.
 #include "answers.hpp"
 #include "shapes.hpp"
 #include "traced.hpp"
@@ -7,7 +7,7 @@ namespace graze::python {
 
 namespace {
 
-/// As `traced`, for questions whose answers are the library's.
+/// `traced` for queries whose answers are the library's.
 template <class F>
 py::object answered(const py::object& trace, const F& ask) {
   return traced(trace, [&](Trace* t) { return object_of_answer(ask(t)); });

@@ -1,12 +1,12 @@
-// Many rays or points at one shape, and many moving pairs, in space and in the plane: `Words` says what differs. The
-// interpreter's lock is released while they are answered.
+// Many rays or points at one shape, and many moving pairs, in space and in the plane, which differ in their `Words`.
+// The interpreter's lock is released while they are answered.
 #pragma once
 
 #include "sides.hpp"
 
 namespace graze::python {
 
-/// A hit as a row of an array; of a miss with an infinite t.
+/// A hit as a row of an array; a miss has an infinite t.
 template <class Hit>
 struct HitRow {
   Hit hit = missed();
@@ -71,7 +71,7 @@ std::vector<typename Words::Ray> rays_of(const py::object& origins, const py::ob
   return rays;
 }
 
-/// How the bodies of a side move.
+/// The velocities of the bodies of a side.
 template <class Words>
 class Velocities {
  public:

@@ -15,7 +15,7 @@ struct Of : Shaped {
   const C& concrete() const { return *as<C>(); }
 };
 
-/// A support function of Python's.
+/// A support function in Python.
 class PythonSupport final : public SupportFunction<double> {
  public:
   explicit PythonSupport(py::function function) : function_(std::move(function)) {}
@@ -26,8 +26,8 @@ class PythonSupport final : public SupportFunction<double> {
     function_ = py::function();
   }
 
-  /// What Python raises in a query cannot pass through it: it is reported as Python reports errors in destructors, and
-  /// the origin answers.
+  /// The support point. An exception of Python cannot pass through a query: it is reported as Python reports errors in
+  /// destructors, and the point is the origin.
   Vec3d support(const Vec3d& direction) const override {
     const py::gil_scoped_acquire lock;
     try {
@@ -155,7 +155,7 @@ py::dict arguments(const Compound<double>& compound) {
   return a;
 }
 
-/// What `repr` shows of an argument: of an array only how large it is.
+/// An argument in the text of `repr`: of an array only its shape.
 std::string text_of_argument(py::handle value) {
   if (py::isinstance<py::array>(value)) return "<array of shape " + std::string(py::str(value.attr("shape"))) + ">";
   return py::str(py::repr(value));

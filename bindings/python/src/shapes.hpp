@@ -5,7 +5,7 @@
 
 namespace graze::python {
 
-/// The Python object of a shape: of the class that is named like it.
+/// The Python object of a shape, of the class with its name.
 py::object object_of(const Shaped& shape);
 
 /// A sequence of shapes, for batches: made once, read many times.

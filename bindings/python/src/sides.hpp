@@ -1,8 +1,8 @@
-// Both sides of a batch as Python gives them, in space and in the plane: `Words` says what differs (`SpaceBatch`,
+// Both sides of a batch from Python, in space and in the plane, which differ in their `Words` (`SpaceBatch`,
 // `PlaneBatch`).
 //
-// Guarantee: poses in an array of rows are read where they stand, everything is checked before the first pair is asked
-// about, and answers are found while other threads of Python run.
+// Guarantee: poses in an array of rows are read where they stand, everything is checked before the first pair is
+// computed, and answers are found while other threads of Python run.
 #pragma once
 
 #include "convert.hpp"

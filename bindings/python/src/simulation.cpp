@@ -1,4 +1,5 @@
-// A simulation of space, and what simulations of space and the plane share: joints' limits, drives and handles.
+// A simulation of space, and the parts that simulations of space and the plane share: joints'
+// limits, drives and handles.
 #include "shapes.hpp"
 #include "simulation_methods.hpp"
 

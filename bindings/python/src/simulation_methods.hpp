@@ -10,7 +10,7 @@
 
 namespace graze::python {
 
-/// A simulation that raises RuntimeError where another call is in a step of it. `Inner` takes what changes it.
+/// A simulation that raises RuntimeError where another call is in a step of it. Changes go to `Inner`.
 template <class Words, class Inner = Simulation<double, typename Words::Space>>
 class OwnSimulation {
  public:
@@ -38,10 +38,10 @@ class OwnSimulation {
   Inner inner_;
 };
 
-/// Throws `InvalidValue` for a word that is none.
+/// The rule of a word. Throws `InvalidValue` for a word that is none.
 Combine combine_of(const std::string& name, const char* path);
 
-/// What a simulation of space or the plane can be asked and told.
+/// The methods of a simulation of space or the plane.
 template <class Words>
 class SimulationMethods {
  public:
@@ -55,7 +55,7 @@ class SimulationMethods {
   using State = graze::State<double, Space>;
   using Joint = graze::Joint<double, Space>;
   using Settings = SimulationSettings<double, Space>;
-  /// Of this space: each module has a class of its own.
+  /// A state of a captured simulation of this space: each module has a class of its own.
   struct CapturedState {
     StateNumber kept;
   };
@@ -123,7 +123,7 @@ cannot hold: a shape with a support function in Python.)");
     return settings;
   }
 
-  /// What all simulations have.
+  /// Defines the methods of all simulations.
   template <class Own>
   static void add_methods(py::module_& m, py::class_<Own>& simulation) {
     add_steps(simulation);
@@ -139,7 +139,7 @@ cannot hold: a shape with a support function in Python.)");
         py::arg("on"), py::arg("simulation"), "As a world, with what sleeps told apart, and joints.");
   }
 
-  /// A joint that needs no more than its frames, by the name of its method.
+  /// Defines a joint that needs no more than its frames, by the name of its method.
   template <class Own, class Make>
   static void add_joint(py::class_<Own>& simulation, const char* name, Make make, const char* doc) {
     simulation.def(

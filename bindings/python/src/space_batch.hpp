@@ -1,4 +1,4 @@
-// What batches of space are made of: the words that `sides.hpp` and `row_batches.hpp` are written with.
+// The types and functions of space with which `sides.hpp` and `row_batches.hpp` are written.
 #pragma once
 
 #include "answers.hpp"
@@ -6,7 +6,7 @@
 
 namespace graze::python {
 
-/// Space: vectors of three numbers, also for velocities of turning; rows of seven numbers for poses.
+/// The words of space: vectors of three numbers, also for velocities of turning; rows of seven numbers for poses.
 struct SpaceBatch {
   using Shape = Shaped;
   using Pose = Posed;
@@ -35,7 +35,7 @@ struct SpaceBatch {
   static Vector vector_of(const double* row) { return {row[0], row[1], row[2]}; }
   static Turning turning_of(const double* row) { return vector_of(row); }
   static void check(const Vector& v, const std::string& path) { validate::point(v, path); }
-  /// What stands in an array is used as it is: a quaternion has to be of unit length already.
+  /// Checks a pose of an array, which is used as it is: its quaternion has to be of unit length already.
   static void check(const Pose& p, const std::string& name, std::size_t i) {
     const Quatd& q = p.rotation;
     const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;

@@ -1,4 +1,4 @@
-// What a caller wants of a question besides its answer.
+// The trace of a query beside its answer.
 #pragma once
 
 #include "answers.hpp"
@@ -7,7 +7,7 @@
 namespace graze::python {
 
 /// The answer of `ask`, a function of a `Trace*`. `trace` is false for the answer alone, true for (answer, trace), or a
-/// renderer as `draw` takes it, through which what the question did is drawn before the answer is returned.
+/// renderer of `draw`, onto which the steps of the query are drawn before the answer is returned.
 template <class F>
 py::object traced(const py::object& trace, const F& ask) {
   const bool flag = trace.is_none() || PyNumber_Check(trace.ptr()) != 0;

@@ -1,4 +1,4 @@
-// A world of space, and what worlds of space and the plane share: handles of bodies, filters, events.
+// A world of space, and the parts that worlds of space and the plane share: handles of bodies, filters, events.
 #include "shapes.hpp"
 #include "world_methods.hpp"
 

@@ -1,5 +1,5 @@
-// Worlds as Python sees them: one to read, which a simulation has too, and one of its own to change. They are written
-// once for space and the plane; `Words` says what differs.
+// Worlds for Python: one to read, which a simulation has too, and one of its own to change. They are written once for
+// space and the plane, which differ in their `Words`.
 #pragma once
 
 #include "alone.hpp"
@@ -7,7 +7,7 @@
 
 namespace graze::python {
 
-/// A world to read. It belongs to somebody else, who lives longer.
+/// A world to read. It belongs to another object, which lives longer.
 template <class Words>
 class WorldView {
  public:
@@ -21,7 +21,7 @@ class WorldView {
   py::object shape(BodyId id) const;
 
  protected:
-  /// Before there is a world.
+  /// A view before there is a world.
   WorldView(const Shapes& shapes, const Alone& alone) : shapes_(&shapes), alone_(&alone) {}
 
   const World* world_ = nullptr;
@@ -31,7 +31,7 @@ class WorldView {
   const Alone* alone_;
 };
 
-/// A world that Python made, and may change. `Inner` takes what changes it.
+/// A world that Python made, and may change. Changes go to `Inner`.
 template <class Words, class Inner = graze::World<double, typename Words::Space>>
 class OwnWorld : public WorldView<Words> {
  public:
@@ -73,14 +73,14 @@ py::object WorldView<Words>::shape(BodyId id) const {
   return shapes_->object(*world, index_of(*world, id));
 }
 
-/// Space: vectors of three numbers, also for velocities of turning; rows of seven numbers for poses.
+/// The words of space: vectors of three numbers, also for velocities of turning; rows of seven numbers for poses.
 struct SpaceWords {
   using Space = graze::Space<double>;
   using Vector = python::Vector;
   using Turning = python::Vector;
   using Placement = python::Placement;
   using Shape = Shaped;
-  /// Shapes know what they were made of: nothing is kept besides.
+  /// The objects of shapes. In space nothing is kept: a shape holds all that it was made of.
   struct Shapes {
     static void keep(std::size_t, const Shaped&) {}
     static void drop(std::size_t) {}
@@ -101,7 +101,7 @@ struct SpaceWords {
   static Velocity<double> velocity(const Vector& linear, const Turning& angular) {
     return {validate::point(linear.value, "linear"), validate::point(angular.value, "angular")};
   }
-  /// Throws `InvalidValue` that names the part.
+  /// A pose from a row. Throws `InvalidValue` that names the part.
   static Posed pose_of_row(const double* p) {
     return {validate::point(Vec3d{p[0], p[1], p[2]}, "translation"),
             validate::rotation(Quatd{p[3], p[4], p[5], p[6]}, "rotation")};

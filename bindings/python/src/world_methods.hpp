@@ -26,7 +26,7 @@ py::dtype contact_pair_type();
 /// The indices of the bodies of each pair.
 py::array_t<std::uint32_t> indices_of(std::span<const ContactPair<double>> pairs);
 
-/// What a world of space or the plane can be asked and told.
+/// The methods of a world of space or the plane.
 template <class Words>
 class WorldMethods {
  public:
@@ -81,8 +81,8 @@ cannot hold: a shape with a support function in Python.)");
     add_changes(world);
   }
 
-  /// Records of a solver's points. The fields of a contact point stand as in one by itself, and the impulse behind
-  /// them, which ends the record: C++ defines `offsetof` only for structs that have their fields in one class.
+  /// The type of records of a solver's points. The fields of a contact point are those of one by itself, and the
+  /// impulse behind them ends the record: C++ defines `offsetof` only for structs that have their fields in one class.
   static py::dtype solver_point_type() {
     using P = SolverPoint<double, Space>;
     using Base = typename Space::ContactPoint;
@@ -138,7 +138,7 @@ cannot hold: a shape with a support function in Python.)");
       validate::fail("poses", std::to_string(ids.size()) + " rows, one for each body",
                      static_cast<double>(given.shape(0)));
     const auto world = own.change();
-    // All are read and all handles looked at before any body moves: what throws has changed nothing.
+    // All poses are read and all handles checked before any body moves: an error has changed nothing.
     std::vector<typename Space::Pose> read(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
       index_of(asked(*world), ids[i]);
