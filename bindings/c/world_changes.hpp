@@ -1,6 +1,6 @@
 // The changes of a world of C's, captured or not.
 //
-// They stand behind virtual functions, so that a program without captured worlds links nothing of captures: a module of
+// Its functions are virtual, so that a program without captured worlds links nothing of captures: a module of
 // WebAssembly is smaller by that. One call of the C interface is one virtual call.
 #pragma once
 

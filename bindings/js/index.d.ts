@@ -17,7 +17,7 @@
 // what was forgotten is given back after it was garbage collected. A world and a compound keep their shapes themselves.
 
 declare global {
-  /** Also where the language's own library does not have it yet. */
+  /** Declared also where the language's own library does not have it yet. */
   interface SymbolConstructor {
     readonly dispose: unique symbol;
   }
@@ -25,19 +25,19 @@ declare global {
 
 // --- Start ---
 
-/** Where the module comes from, if not from beside the script: its address, its bytes, or compiled. */
+/** The source of the module, if it is not beside the script: its address, its bytes, or compiled. */
 export type ModuleSource = string | URL | Response | BufferSource | WebAssembly.Module;
 /** Loads the module. Everything else may be used once the promise is fulfilled; a second call does nothing more. */
 export function init(source?: ModuleSource | Promise<ModuleSource>): Promise<void>;
-/** "0.1.0": the version of the library. */
+/** The version of the library: "0.1.0". */
 export function version(): string;
 /** Bytes that live objects hold in the module's memory; `memoryInUse` returns to what it was when all are disposed. */
 export function memoryInUse(): number;
 
-/** A value was refused: the message is "path: expected this, got that". */
+/** The error of a value that was refused: the message is "path: expected this, got that". */
 export class InvalidValue extends RangeError {}
 
-/** What lies in the module's memory. */
+/** An object that lies in the module's memory. */
 export abstract class Handle {
   /** Gives the memory back. Using the object afterwards throws; disposing it again does nothing. */
   dispose(): void;
@@ -53,12 +53,12 @@ export type Scalars = Float32Array | Float64Array;
 export type Vec3Like = ArrayLike<number>;
 export type Vec3 = [x: number, y: number, z: number];
 export type Quat = [x: number, y: number, z: number, w: number];
-/** Rows of a matrix. */
+/** A matrix as its rows. */
 export type Mat3 = [Vec3, Vec3, Vec3];
 /** Many points: numbers one behind the other, or an array of points. */
 export type Points = ArrayLike<number> | readonly ArrayLike<number>[];
 
-/** Where a body stands and how it is turned. Absent: at the origin, not turned. The quaternion has unit length. */
+/** The place of a body and its rotation. Absent: at the origin, not turned. The quaternion has unit length. */
 export interface PoseLike {
   readonly translation?: Vec3Like;
   readonly rotation?: ArrayLike<number>;
@@ -103,7 +103,7 @@ export type ShapeKind =
 export interface MassProperties {
   volume: number;
   center: Vec3;
-  /** Of density one, about `center`. */
+  /** The inertia at density one, about `center`. */
   inertia: Mat3;
 }
 
@@ -117,25 +117,25 @@ export class Shape extends Handle {
   massProperties(): MassProperties;
   /** The Minkowski sum with a ball of that radius; of convex shapes. */
   rounded(rounding: number): Shape;
-  /** What a bounded convex shape sweeps that moves by `motion` without turning. */
+  /** The space that a bounded convex shape sweeps while it moves by `motion` without turning. */
   swept(pose: PoseLike, motion: Vec3Like): Shape;
 }
 export class Sphere extends Shape {
   constructor(radius: number, center?: Vec3Like);
 }
-/** `height` between the centres of the end balls, along Y. */
+/** A capsule with `height` between the centres of its end balls, along Y. */
 export class Capsule extends Shape {
   constructor(height: number, radiusBottom: number, radiusTop?: number);
 }
-/** Full edge lengths. */
+/** A box by its full edge lengths. */
 export class Box extends Shape {
   constructor(size: Vec3Like);
 }
-/** In the XZ plane, without thickness. */
+/** A rectangle in the XZ plane, without thickness. */
 export class Rectangle extends Shape {
   constructor(sizeX: number, sizeZ: number);
 }
-/** Along Y; a radius of 0 makes a cone. */
+/** A cylinder along Y; a radius of 0 makes a cone. */
 export class Cylinder extends Shape {
   constructor(height: number, radiusBottom: number, radiusTop?: number);
 }
@@ -165,21 +165,21 @@ export class Mesh extends Shape {
   constructor(points: Points, triangles: Points, options?: { sides?: Sides; solid?: boolean });
   findings(): MeshFindings;
 }
-/** What a mesh is like, in numbers of triangles and edges. Each edge is in one of five classes. None is an error. */
+/** Findings about a mesh, in numbers of triangles and edges. Each edge is in one of five classes. None is an error. */
 export interface MeshFindings {
   triangles: number;
-  /** The corners of an earlier one in the same turn. */
+  /** Triangles with the corners of an earlier one in the same turn. */
   repeatedTriangles: number;
   withoutArea: number;
-  /** Lower than 1/1000 of their longest side. */
+  /** Triangles lower than 1/1000 of their longest side. */
   slivers: number;
   repeatedPoints: number;
   flatEdges: number;
   convexEdges: number;
   concaveEdges: number;
-  /** Of one triangle only: rims, and seams that do not meet. */
+  /** Edges of one triangle only: rims, and seams that do not meet. */
   openEdges: number;
-  /** Of more than two triangles, or run through twice in one direction. */
+  /** Edges of more than two triangles, or run through twice in one direction. */
   irregularEdges: number;
   /** Open edges on whose inside the corner of another triangle lies. */
   tJunctions: number;
@@ -226,9 +226,9 @@ export interface ContactPoint {
   a: Vec3;
   b: Vec3;
   distance: number;
-  /** The same while the same features touch. */
+  /** A number that stays the same while the same features touch. */
   feature: number;
-  /** The point that a solver wants is a + (b - a) * weight. */
+  /** The weight of the point for a solver: a + (b - a) * weight. */
   weight: number;
 }
 export interface Manifold {
@@ -247,9 +247,9 @@ export interface Contacts extends PairContacts {
 }
 export interface Ray {
   readonly origin: Vec3Like;
-  /** Need not be unit. */
+  /** The direction, of any length. */
   readonly direction: Vec3Like;
-  /** In units of length; default: no end. */
+  /** The length in units of length; default: no end. */
   readonly length?: number;
 }
 export interface RayHit {
@@ -270,33 +270,34 @@ export interface CastHit {
   t: number;
   point: Vec3;
   normal: Vec3;
-  /** Of shapes that overlap at the start. */
+  /** The depth of shapes that overlap at the start, else 0. */
   depth: number;
   certainty: Certainty;
   pieceA: number;
   pieceB: number;
 }
 export interface CastOptions {
-  /** Default 1. */
+  /** The time of the cast; default 1. */
   duration?: number;
   separating?: "hit" | "ignored";
 }
 
 export function overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
-/** Cheaper: false only where they do not touch. */
+/** A cheaper test: false only where they do not touch. */
 export function mayOverlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
 export function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
 /** The distance of shapes no further apart than `limit`, else null. */
 export function distanceUpTo(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, limit: number): Distance | null;
 export function within(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, limit: number): boolean;
 export function nearPieces(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin: number): PieceDistance[];
-/** All points of contact up to `margin` apart; with `most`, the so many of them that span most. */
+/** All points of contact up to `margin` apart; with `most`, at most so many of them, which span most. */
 export function contacts(
   a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number, most?: number): Contacts;
 /** A margin with which a body at rest keeps its points from frame to frame. */
 export function contactMargin(a: Shape, b: Shape): number;
-/** The corners of a feature in the shape's frame: one of a vertex, two of an edge, those of a face in order; none of what is
- * round. `feature` is `point.feature >>> 16` for A and `point.feature & 0xffff` for B, `piece` that of the manifold. */
+/** The corners of a feature in the shape's frame: one of a vertex, two of an edge, those of a face in order; none of a
+ * round part. `feature` is `point.feature >>> 16` for A and `point.feature & 0xffff` for B, `piece` that of the
+ * manifold. */
 export function featureCorners(shape: Shape, feature: number, piece?: number): Vec3[];
 export function closest(shape: Shape, pose: PoseLike, point: Vec3Like): Closest;
 export function raycast(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): RayHit | null;
@@ -305,15 +306,15 @@ export function raycastAll(shape: Shape, pose: PoseLike, ray: Ray, options?: Ray
 /** The first contact while both move for a `duration`. */
 export function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
 export function castAll(a: Moving, b: Moving, options?: CastOptions): CastHit[];
-/** Where a moving body stands at time t. */
+/** The pose of a moving body at time t. */
 export function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
 
 // --- Many at a time: the bits are those of each pair alone ---
 
 /**
  * Shapes and poses, as many of one as of the other, or a single one of either. `poses` has seven numbers each:
- * translation and quaternion; or give `translations` and, where they are turned, `rotations`. What is a `Numbers` is
- * read where it stands, what is not is copied in.
+ * translation and quaternion; or give `translations` and, where they are turned, `rotations`. A `Numbers` is read where
+ * it stands, any other array is copied in.
  */
 export interface Bodies {
   readonly shapes: Shape | readonly Shape[];
@@ -324,16 +325,16 @@ export interface Bodies {
 /** Places in both, two for each pair. Without them: first with first and so on, or a single one with all. */
 export type Places = ArrayLike<number>;
 
-/** 1 or 0 of each pair. */
+/** 1 or 0 for each pair. */
 export function overlapBatch(a: Bodies, b: Bodies, places?: Places): Uint8Array;
 export function distanceBatch(a: Bodies, b: Bodies, places?: Places): Batch<Distance>;
 export function contactsBatch(a: Bodies, b: Bodies, margin?: number, places?: Places): PairContacts[];
 export function closestBatch(shape: Shape, pose: PoseLike, points: Numbers | Points): Batch<Closest>;
-/** Six numbers a ray: origin and direction. `found` is 1 or 0 of each; where 0, its hit is all zeros. */
+/** Casts rays of six numbers: origin and direction. `found` is 1 or 0 for each; where 0, its hit is all zeros. */
 export function raycastBatch(
   shape: Shape, pose: PoseLike, rays: Numbers | ArrayLike<number>,
   options?: RayOptions & { length?: number }): Batch<RayHit> & { readonly found: Uint8Array };
-/** The first of A with the first of B, and so on. */
+/** Casts the first of A and the first of B, and so on. */
 export function castBatch(
   a: readonly Moving[], b: readonly Moving[], options?: CastOptions): Batch<CastHit> & { readonly found: Uint8Array };
 /** The near pieces of each pair. */
@@ -344,20 +345,20 @@ export interface Batch<T> extends Rows<T> {
   [Symbol.dispose](): void;
 }
 
-// --- Traces: what a query did; the answer has the same bits ---
+// --- Traces: the steps of a query; the answer has the same bits ---
 
 export interface TraceSupport {
   a: Vec3;
   b: Vec3;
 }
 export interface TraceAxis {
-  /** "A0", "A1×B0", "A face 12", ... */
+  /** The name: "A0", "A1×B0", "A face 12", ... */
   name: string;
   direction: Vec3;
   /** The intervals that the shapes cover. */
   a: [lower: number, upper: number];
   b: [lower: number, upper: number];
-  /** Negative: a gap. */
+  /** The overlap; a gap is negative. */
   overlap: number;
 }
 export interface TraceGjk {
@@ -388,14 +389,14 @@ export interface TraceStep {
   distance: number;
   normal: Vec3;
 }
-/** One cut of a face by the plane through a side of the other: the side, and what is left. */
+/** One cut of a face by the plane through a side of the other: the side, and the rest of the face. */
 export interface TraceCut {
   from: Vec3;
   to: Vec3;
   left: Vec3[];
 }
 export interface Trace {
-  /** "closed form", "separating axes", "gjk", "gjk + epa", "slabs", "conservative advancement" */
+  /** One of "closed form", "separating axes", "gjk", "gjk + epa", "slabs", "conservative advancement". */
   method: string;
   /** The axis or span that the answer stands on, and why; empty where there is none. */
   winner: string;
@@ -410,7 +411,7 @@ export interface Trace {
   triangles: [number, number, number][];
   spans: TraceSpan[];
   steps: TraceStep[];
-  /** The faces that contacts stand on, and how they are laid over each other; empty where they stand on none. */
+  /** The faces that contacts stand on, and the clipping of one by the other; empty where they stand on none. */
   faceA: Vec3[];
   faceB: Vec3[];
   cuts: TraceCut[];
@@ -433,22 +434,22 @@ export const traced: {
   support(hull: Shape, direction: Vec3Like): { answer: Vec3; trace: SupportTrace };
 };
 
-/** What one support query of a hull did. Vertices are numbers of those that `hullLayers` lists. */
+/** The steps of one support query of a hull. Vertices are numbers of those that `hullLayers` lists. */
 export interface SupportTrace {
   vertex: number;
-  /** Every vertex was looked at: hulls of up to 64 vertices, and flat ones. */
+  /** Whether every vertex was looked at: hulls of up to 64 vertices, and flat ones. */
   scanned: boolean;
-  /** Scalar products that were taken, of all layers together. */
+  /** The number of scalar products, of all layers together. */
   products: number;
-  /** The coarsest first, the hull itself last. */
+  /** The layers, the coarsest first, the hull itself last. */
   layers: {
-    /** How many the layer has. */
+    /** The number of vertices of the layer. */
     vertices: number;
     /** The furthest of the layer. */
     winner: number;
-    /** In that order: what the coarser layer found, then neighbours of the best so far. */
+    /** The vertices in the order of the search: the one from the coarser layer, then neighbours of the best so far. */
     lookedAt: Uint32Array;
-    /** Of each of these the product with the direction. */
+    /** The product of each of these with the direction. */
     along: Float64Array;
   }[];
 }
@@ -469,33 +470,33 @@ export interface ProtocolShape {
   margin?: number;
   [measures: string]: unknown;
 }
-/** A shape as a question of the protocol has it, with the same measures. Throws `InvalidValue` for what the protocol has
- * no words for: a UserConvex, and a mesh or a height field that is seen from its front alone. A ball beside its origin
- * becomes a compound of one child, a segment the hull of its ends. Not in graze/queries. */
+/** A shape as a question of the protocol has it, with the same measures. Throws `InvalidValue` for a shape that the
+ * protocol cannot express: a UserConvex, and a mesh or a height field that is seen from its front alone. A ball beside
+ * its origin becomes a compound of one child, a segment the hull of its ends. Not in graze/queries. */
 export function protocolShape(shape: Shape): ProtocolShape;
-/** The shape that a question of the protocol describes, with the protocol's defaults. Throws `InvalidValue` that names what
- * is wrong with it. graze/double alone. */
+/** The shape that a question of the protocol describes, with the protocol's defaults. Throws `InvalidValue` that names
+ * the fault in it. graze/double alone. */
 export function shapeOfProtocol(words: ProtocolShape): Shape;
 
 // --- Debug draw ---
 
-/** What a reader switches on and off together. */
+/** A group of things that a reader switches on and off together. */
 export type DrawLayer = "shapes" | "bounds" | "tree" | "contacts" | "distances" | "rays" | "casts" | "trace" | "joints";
-/** What a colour says: `a` and `b` are the first and the second of two, `ruledOut` was tried and decided nothing. */
+/** The meaning of a colour: `a` and `b` are the first and the second of two, `ruledOut` decided nothing. */
 export type DrawMeaning =
   | "a" | "b" | "fixed" | "touched" | "moving" | "touching" | "asleep" | "trigger" | "contact" | "normal" | "gap"
   | "ruledOut" | "bounds" | "path" | "ghost" | "joint";
 /** A renderer of yours. Places are three numbers in the world, of the plane with 0 as the third; a method that is not
- * there draws nothing. What a method throws is thrown by what draws. */
+ * there draws nothing. An exception of a method is thrown by the function that draws. */
 export interface Renderer {
-  /** Those that are wanted; by default all. */
+  /** The layers that are drawn; by default all. */
   layers?: DrawLayer[];
-  /** What is looked at, the origin by default, and how far around it what has no end is drawn: 1 by default. */
+  /** The point that is looked at, the origin by default; things without an end are drawn as far as `size` around it. */
   center?: Vec3Like;
   size?: number;
   point?(at: number[], layer: DrawLayer, meaning: DrawMeaning): void;
   line?(from: number[], to: number[], layer: DrawLayer, meaning: DrawMeaning): void;
-  /** Counter-clockwise seen from outside. */
+  /** A triangle, counter-clockwise seen from outside. */
   triangle?(a: number[], b: number[], c: number[], layer: DrawLayer, meaning: DrawMeaning): void;
   text?(at: number[], words: string, layer: DrawLayer, meaning: DrawMeaning): void;
   /** A direction of unit length at a place; without it, lines as long as a twelfth of `size`. */
@@ -507,7 +508,7 @@ export interface DrawnContact {
   readonly b: ArrayLike<number>;
   readonly weight?: number;
 }
-/** Not in graze/queries. What the library knows, through a renderer. */
+/** Drawing of the library's objects and answers through a renderer. Not in graze/queries. */
 export const draw: {
   shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
   /** A box by its edges. */
@@ -523,20 +524,20 @@ export const draw: {
   contacts(manifold: { readonly normal: Vec3Like; readonly points: readonly DrawnContact[] }, renderer: Renderer): void;
   /** A ray up to its hit, and the normal there; one that hits nothing as far as its length or the renderer's size. */
   ray(ray: Ray, hit: Pick<RayHit, "t" | "point" | "normal"> | null, renderer: Renderer): void;
-  /** What moves, up to its hit or for the duration: its path, places along it, the last, and the hit. */
+  /** A moving body, up to its hit or for the duration: its path, places along it, the last, and the hit. */
   cast(
     moving: Moving, hit: Pick<CastHit, "t" | "point" | "normal"> | null, renderer: Renderer,
     options?: { duration?: number }): void;
   /** Bodies, bounds, the tree, and the contacts of the last update. */
   world(world: WorldQueries, renderer: Renderer): void;
-  /** The same with what sleeps, and joints. */
+  /** A simulation: its world with sleeping bodies marked, and joints. */
   simulation(simulation: Simulation, renderer: Renderer): void;
-  /** What a renderer looks at that shows all of a world. */
+  /** The area of a renderer that shows all of a world. */
   area(world: WorldQueries): { center: number[]; size: number };
   /** The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255. */
   color(meaning: DrawMeaning): [number, number, number];
-  /** Asks, draws what the question did, or one step of it (axes, iterations of GJK, expansions of EPA, cuts, counted from
-   *  0 in this order), and answers. */
+  /** Runs a query, draws its steps, or one of them (axes, iterations of GJK, expansions of EPA, cuts, counted from 0 in
+   *  this order), and returns its answer. */
   explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
 };
 export interface Explained {
@@ -548,24 +549,24 @@ export interface Explained {
   cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
 }
 
-// --- What a blow does ---
+// --- The response to a blow ---
 
 export interface StruckContact {
   readonly point: Vec3Like;
-  /** Unit, from A to B. */
+  /** A unit vector from A to B. */
   readonly normal: Vec3Like;
-  /** Default 0. */
+  /** The restitution; default 0. */
   readonly restitution?: number;
-  /** Default 0.6. */
+  /** The friction; default 0.6. */
   readonly friction?: number;
 }
 export interface StruckBody {
-  /** Infinity for what does not move. */
+  /** The mass; Infinity for a body that does not move. */
   readonly mass: number;
   /** The diagonal in the frame `rotation`; absent: that of `shape`, which is then needed unless the mass is infinite. */
   readonly inertia?: Vec3Like;
   readonly shape?: Shape;
-  /** Of the centre of mass. */
+  /** The place of the centre of mass. */
   readonly translation?: Vec3Like;
   readonly rotation?: ArrayLike<number>;
   readonly linear?: Vec3Like;
@@ -576,7 +577,7 @@ export interface Motion {
   angular: Vec3;
   center: Vec3;
 }
-/** In the order in which it is computed. */
+/** The quantities of a blow in the order in which they are computed. */
 export interface Response {
   approach: Vec3;
   approachAlongNormal: number;
@@ -588,7 +589,7 @@ export interface Response {
   stoppingImpulse: Vec3;
   frictionLimit: number;
   frictionImpulse: Vec3;
-  /** On B; that on A is its opposite. */
+  /** The impulse on B; that on A is its opposite. */
   impulse: Vec3;
   a: Motion;
   b: Motion;
@@ -601,37 +602,37 @@ export interface Blow {
   /** Places among the bodies. */
   readonly a: number;
   readonly b: number;
-  /** Unit, from a to b. */
+  /** A unit vector from a to b. */
   readonly normal: Vec3Like;
   readonly points: readonly Vec3Like[];
-  /** From 0 to 1; default 0. */
+  /** The restitution from 0 to 1; default 0. */
   readonly restitution?: number;
 }
-/** Until none approaches faster than `restingSpeed` (0), or `most` (1000) were struck. */
+/** The end of passing on: until none approaches faster than `restingSpeed` (0), or `most` (1000) were struck. */
 export interface PassOnOptions {
   readonly restingSpeed?: number;
   readonly most?: number;
 }
-/** How passing on ended: how many blows were struck, and the fastest approach that is left. */
+/** The result of passing on: the number of blows struck, and the fastest approach that is left. */
 export interface PassedOn {
   struck: number;
   approach: number;
-  /** What the points of each blow pushed. */
+  /** The impulses at the points of each blow. */
   impulses: number[][];
   bodies: Motion[];
 }
-/** What bodies do that touch each other while one of them is struck, as in a cradle. */
+/** The motion of bodies that touch each other while one of them is struck, as in a cradle. */
 export function passOn(bodies: readonly StruckBody[], blows: readonly Blow[], options?: PassOnOptions): PassedOn;
 /** A body that nothing touches. Its frame has the principal axes of inertia, about the centre of mass. */
 export interface FreeBody {
   center: Vec3;
   rotation: Quat;
   linear: Vec3;
-  /** In the world. */
+  /** The angular momentum in the world. */
   angularMomentum: Vec3;
   inverseInertia: Vec3;
 }
-/** `inertia` about the axes of `rotation`; infinite where the body does not turn. */
+/** A free body with `inertia` about the axes of `rotation`; infinite where the body does not turn. */
 export function freeBody(
   body: PoseLike & { readonly inertia: Vec3Like; readonly linear?: Vec3Like; readonly angular?: Vec3Like }): FreeBody;
 /** The body after `duration`, of either sign, under a constant acceleration. */
@@ -650,18 +651,18 @@ export class BroadPhase extends Handle {
   remove(id: number): void;
   /** All overlapping pairs, sorted: two ids each. A copy. */
   pairs(): Uint32Array;
-  /** Those of them of which one was inserted or moved since the last call. */
+  /** The overlapping pairs of which one box was inserted or moved since the last call. */
   movedPairs(): Uint32Array;
   query(lower: Vec3Like, upper: Vec3Like): Uint32Array;
   sweep(lower: Vec3Like, upper: Vec3Like, motion: Vec3Like): Uint32Array;
   /**
-   * The structure as it is now, parents before their children: bounds of nodes, or cells, with how deep they lie below
-   * the root. Sorted axes have none.
+   * The structure as it is now, parents before their children: bounds of nodes, or cells, with their depth below the
+   * root. Sorted axes have none.
    */
   parts(): (Aabb & { depth: number })[];
   /**
-   * How many boxes there are, how many pairs the last `pairs` or `movedPairs` found, how many boxes it compared with
-   * another, and bytes held.
+   * The numbers of boxes, of pairs that the last `pairs` or `movedPairs` found, and of comparisons that it made; and
+   * the bytes held.
    */
   counts(): { boxes: number; pairs: number; tests: number; memory: number };
 }
@@ -689,20 +690,21 @@ export interface Body extends PoseLike {
   readonly filter?: Filter;
   readonly fixed?: boolean;
   readonly trigger?: boolean;
-  /** Is asked what it would pass through before the next update. */
+  /** Whether the world finds what the body would pass through before the next update. */
   readonly fast?: boolean;
 }
 export interface WorldSettings {
   /** Contacts are reported up to this far apart; default: `contactMargin` of the two. */
   readonly margin?: number;
   readonly pointsPerPair?: number;
-  /** A last word on a pair that its filters allow. */
+  /** Decides last on a pair that its filters allow. */
   readonly allow?: (a: BodyId, b: BodyId) => boolean;
   readonly capture?: Capture;
 }
-/** Gets all that changes a world or a simulation, a frame at a call: one behind the other they are what `replay` plays.
- * What it throws is thrown by the call that ended the frame. What a file cannot hold is refused: functions (`allow`, a
- * UserConvex), and `reduce`. Of a captured simulation 16 states at a time can be had. Not in graze/queries. */
+/** Gets all changes of a world or a simulation, a frame at a call: one behind the other they are the capture that
+ * `replay` plays. Its exceptions are thrown by the call that ended the frame. Things that a file cannot hold are
+ * refused: functions (`allow`, a UserConvex), and `reduce`. A captured simulation has at most 16 states at a time. Not
+ * in graze/queries. */
 export type Capture = (bytes: Uint8Array) => void;
 export interface SolverPoint extends ContactPoint {
   impulse: Vec3;
@@ -734,7 +736,7 @@ export interface Impact {
   trigger: boolean;
   hit: CastHit;
 }
-/** Bodies, what touches, and questions about them. */
+/** Bodies, the pairs that touch, and queries of them. */
 export interface WorldQueries {
   readonly size: number;
   contains(id: BodyId): boolean;
@@ -745,7 +747,7 @@ export interface WorldQueries {
   shape(id: BodyId): Shape;
   /** All poses by index, seven numbers each, without a copy: valid until the next call. */
   poses(): Scalars;
-  /** In a replay what its body is called, otherwise empty. */
+  /** The name of the body in a replay, otherwise empty. */
   name(id: BodyId): string;
   contacts(): WorldPair[];
   /** Points of all pairs, without a copy: members a, b, distance, weight, impulse. */
@@ -774,14 +776,14 @@ export class World extends Handle implements WorldQueries {
   add(body: Body): BodyId;
   remove(id: BodyId): void;
   move(id: BodyId, pose: PoseLike, velocity?: { linear?: Vec3Like; angular?: Vec3Like }): void;
-  /** Seven numbers each. Where one is refused none is moved. */
+  /** Moves bodies to poses of seven numbers. Where one is refused none is moved. */
   moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>): void;
   setShape(id: BodyId, shape: Shape): void;
   setFilter(id: BodyId, filter: Filter): void;
   setFast(id: BodyId, fast: boolean): void;
-  /** What a replay of the capture calls the body; without a capture it is not kept. */
+  /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
   setName(id: BodyId, name: string): void;
-  /** Finds what touches now, and what fast bodies would pass through in `duration`. */
+  /** Finds the pairs that touch now, and the bodies that fast ones would pass through in `duration`. */
   update(duration?: number): void;
   findImpacts(duration: number): void;
   reduce(most: number): void;
@@ -790,7 +792,7 @@ export class World extends Handle implements WorldQueries {
   bodyAt(index: number): BodyId | null;
   pose(id: BodyId): Pose;
   poses(): Scalars;
-  /** In a replay what its body is called, otherwise empty. */
+  /** The name of the body in a replay, otherwise empty. */
   name(id: BodyId): string;
   contacts(): WorldPair[];
   points(): Rows<SolverPoint>;
@@ -825,7 +827,7 @@ export interface SimulationSettings {
   readonly longestStep?: number;
 }
 export interface Dynamics {
-  /** Absent: from the shape and `density`. */
+  /** The mass; absent: from the shape and `density`. */
   readonly mass?: number;
   readonly centerOfMass?: Vec3Like;
   readonly inertiaDiagonal?: Vec3Like;
@@ -854,10 +856,10 @@ export interface JointId {
 export interface JointLimit {
   readonly space: "linear" | "angular";
   readonly axes: readonly ("x" | "y" | "z")[];
-  /** Default no bound. Equal: held. */
+  /** The bounds; default none. Equal: held. */
   readonly min?: number;
   readonly max?: number;
-  /** 0: hard. */
+  /** The stiffness; 0: hard. */
   readonly stiffness?: number;
   readonly damping?: number;
 }
@@ -896,14 +898,14 @@ export interface StepReport {
   potentialEnergy: number;
   momentum: Vec3;
   angularMomentum: Vec3;
-  /** By the clock, in milliseconds. */
+  /** The time by the clock, in milliseconds. */
   collideMs: number;
   prepareMs: number;
   solveMs: number;
   continuousMs: number;
   wholeMs: number;
 }
-/** Everything that a simulation goes back to. */
+/** The state of a simulation, to go back to. */
 export class State extends Handle {
   private constructor();
 }
@@ -923,19 +925,19 @@ export class Simulation extends Handle {
   moveTo(id: BodyId, pose: PoseLike, dt: number): void;
   setMaterial(id: BodyId, material: Material): void;
   setGravity(gravity: Vec3Like): void;
-  /** What a replay of the capture calls the body; without a capture it is not kept. */
+  /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
   setName(id: BodyId, name: string): void;
   wake(id: BodyId): void;
   pose(id: BodyId): Pose;
   /** All poses by index, seven numbers each, without a copy: valid until the next call. */
   poses(): Scalars;
-  /** The velocity of the centre of mass, the turning about it, and where it is. */
+  /** The velocity of the centre of mass, the turning about it, and its place. */
   motion(id: BodyId): Motion;
   mass(id: BodyId): number;
   asleep(id: BodyId): boolean;
   jointImpulses(id: JointId): number[];
   report(): StepReport;
-  /** Contacts, events and questions. It belongs to the simulation. */
+  /** Contacts, events and queries. It belongs to the simulation. */
   readonly world: WorldQueries;
   save(): State;
   restore(state: State): void;
@@ -961,7 +963,7 @@ export declare namespace plane {
     readonly kind: ShapeKind;
     readonly rounding: number;
     bounds(pose?: PoseLike): { lower: Vec2; upper: Vec2 };
-    /** Of density one, about `center`; area 0 of what has none. */
+    /** Area, centre and inertia at density one, about `center`; area 0 of a shape without one. */
     massProperties(): { area: number; center: Vec2; inertia: number };
     rounded(rounding: number): Shape;
   }
@@ -983,11 +985,11 @@ export declare namespace plane {
   class Ellipse extends Shape {
     constructor(radii: ArrayLike<number>);
   }
-  /** y <= 0. */
+  /** The half-plane y <= 0. */
   class HalfPlane extends Shape {
     constructor();
   }
-  /** Solid, convex or not. */
+  /** A solid polygon, convex or not. */
   class Polygon extends Shape {
     constructor(points: Points);
   }
@@ -1051,7 +1053,7 @@ export declare namespace plane {
     pieceA: number;
     pieceB: number;
   }
-  /** As `Bodies` of space, with four numbers for a pose: where it is, and the cosine and sine of its rotation. */
+  /** `Bodies` of the plane, with four numbers for a pose: its place, and the cosine and sine of its rotation. */
   interface Bodies {
     readonly shapes: Shape | readonly Shape[];
     readonly poses?: Numbers | ArrayLike<number>;
@@ -1063,19 +1065,19 @@ export declare namespace plane {
   function contactsBatch(
     a: Bodies, b: Bodies, margin?: number, places?: Places): Pick<Contacts, "overlap" | "manifolds">[];
   function closestBatch(shape: Shape, pose: PoseLike, points: Numbers | Points): Batch<Closest>;
-  /** Four numbers a ray: origin and direction. */
+  /** Casts rays of four numbers: origin and direction. */
   function raycastBatch(
     shape: Shape, pose: PoseLike, rays: Numbers | ArrayLike<number>,
     options?: { length?: number }): Batch<RayHit> & { readonly found: Uint8Array };
   function castBatch(
     a: readonly Moving[], b: readonly Moving[], options?: CastOptions): Batch<CastHit> & { readonly found: Uint8Array };
   interface StruckBody {
-    /** Infinity for what does not move. */
+    /** The mass; Infinity for a body that does not move. */
     readonly mass: number;
-    /** Absent: that of `shape`, and without one the body does not turn. */
+    /** The inertia; absent: that of `shape`, and without one the body does not turn. */
     readonly inertia?: number;
     readonly shape?: Shape;
-    /** Of the centre of mass. */
+    /** The place of the centre of mass. */
     readonly translation?: ArrayLike<number>;
     readonly linear?: ArrayLike<number>;
     readonly angular?: number;
@@ -1111,7 +1113,7 @@ export declare namespace plane {
   interface Body extends PoseLike {
     readonly shape: Shape;
     readonly linear?: ArrayLike<number>;
-    /** Counter-clockwise, radians per unit of time. */
+    /** The velocity of turning, counter-clockwise, in radians per unit of time. */
     readonly angular?: number;
     readonly filter?: Filter;
     readonly fixed?: boolean;
@@ -1134,7 +1136,7 @@ export declare namespace plane {
     trigger: boolean;
     hit: CastHit;
   }
-  /** Bodies, what touches, and questions about them, as in space. */
+  /** Bodies, the pairs that touch, and queries of them, as in space. */
   interface WorldQueries {
     readonly size: number;
     contains(id: BodyId): boolean;
@@ -1142,9 +1144,9 @@ export declare namespace plane {
     pose(id: BodyId): Pose;
     /** A share of the body's shape, to be disposed of. */
     shape(id: BodyId): Shape;
-    /** All poses by index, four numbers each: where it is, and its turned X axis. No copy: valid until the next call. */
+    /** All poses by index, four numbers each: place, and turned X axis. No copy: valid until the next call. */
     poses(): Scalars;
-    /** In a replay what its body is called, otherwise empty. */
+    /** The name of the body in a replay, otherwise empty. */
     name(id: BodyId): string;
     contacts(): WorldPair[];
     points(): Rows<SolverPoint>;
@@ -1168,14 +1170,14 @@ export declare namespace plane {
     add(body: Body): BodyId;
     remove(id: BodyId): void;
     move(id: BodyId, pose: PoseLike, velocity?: { linear?: ArrayLike<number>; angular?: number }): void;
-    /** Four numbers each, as `poses` has them. Where one is refused none is moved. */
+    /** Moves bodies to poses of four numbers, as `poses` has them. Where one is refused none is moved. */
     moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>): void;
     setShape(id: BodyId, shape: Shape): void;
     setFilter(id: BodyId, filter: Filter): void;
     setFast(id: BodyId, fast: boolean): void;
-    /** What a replay of the capture calls the body; without a capture it is not kept. */
+    /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
     setName(id: BodyId, name: string): void;
-    /** Finds what touches now, and what fast bodies would pass through in `duration`. */
+    /** Finds the pairs that touch now, and the bodies that fast ones would pass through in `duration`. */
     update(duration?: number): void;
     findImpacts(duration: number): void;
     reduce(most: number): void;
@@ -1190,10 +1192,10 @@ export declare namespace plane {
     readonly longestStep?: number;
   }
   interface Dynamics {
-    /** Absent: from the shape and `density`, a mass per area. */
+    /** The mass; absent: from the shape and `density`, a mass per area. */
     readonly mass?: number;
     readonly centerOfMass?: ArrayLike<number>;
-    /** About the centre of mass. */
+    /** The inertia about the centre of mass. */
     readonly inertia?: number;
     readonly density?: number;
     readonly gravityFactor?: number;
@@ -1237,14 +1239,14 @@ export declare namespace plane {
     potentialEnergy: number;
     momentum: Vec2;
     angularMomentum: number;
-    /** By the clock, in milliseconds. */
+    /** The time by the clock, in milliseconds. */
     collideMs: number;
     prepareMs: number;
     solveMs: number;
     continuousMs: number;
     wholeMs: number;
   }
-  /** Everything that a simulation goes back to. */
+  /** The state of a simulation, to go back to. */
   class State extends Handle {
     private constructor();
   }
@@ -1264,19 +1266,19 @@ export declare namespace plane {
     moveTo(id: BodyId, pose: PoseLike, dt: number): void;
     setMaterial(id: BodyId, material: Material): void;
     setGravity(gravity: ArrayLike<number>): void;
-    /** What a replay of the capture calls the body; without a capture it is not kept. */
+    /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
     setName(id: BodyId, name: string): void;
     wake(id: BodyId): void;
     pose(id: BodyId): Pose;
-    /** All poses by index, as those of a world. */
+    /** All poses by index, in the form of a world's. */
     poses(): Scalars;
-    /** The velocity of the centre of mass, the turning about it, and where it is. */
+    /** The velocity of the centre of mass, the turning about it, and its place. */
     motion(id: BodyId): { linear: Vec2; angular: number; center: Vec2 };
     mass(id: BodyId): number;
     asleep(id: BodyId): boolean;
     jointImpulses(id: JointId): number[];
     report(): StepReport;
-    /** Contacts, events and questions. It belongs to the simulation. */
+    /** Contacts, events and queries. It belongs to the simulation. */
     readonly world: WorldQueries;
     save(): State;
     restore(state: State): void;
@@ -1285,7 +1287,7 @@ export declare namespace plane {
   function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
   function contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Contacts;
   function contactMargin(a: Shape, b: Shape): number;
-  /** As in space: one corner of a vertex, two of an edge. */
+  /** The corners of a feature as in space: one of a vertex, two of an edge. */
   function featureCorners(shape: Shape, feature: number, piece?: number): Vec2[];
   function closest(shape: Shape, pose: PoseLike, point: ArrayLike<number>): Closest;
   function raycast(shape: Shape, pose: PoseLike, ray: Ray): RayHit | null;
@@ -1296,7 +1298,7 @@ export declare namespace plane {
   function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
   /** A shape of the plane as a question of the protocol has it. Throws `InvalidValue` for a UserConvex. */
   function protocolShape(shape: Shape): ProtocolShape;
-  /** graze/double alone. */
+  /** The shape that a question of the protocol describes. graze/double alone. */
   function shapeOfProtocol(words: ProtocolShape): Shape;
   const traced: {
     overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<boolean>;
@@ -1321,7 +1323,7 @@ export declare namespace plane {
     explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
     world(world: WorldQueries, renderer: Renderer): void;
     simulation(simulation: Simulation, renderer: Renderer): void;
-    /** The centre and the size of all that is bounded. */
+    /** The centre and the size of all bounded bodies. */
     area(world: WorldQueries): { center: number[]; size: number };
   };
   interface Explained {
@@ -1336,29 +1338,29 @@ export declare namespace plane {
 
 // --- Captures ---
 
-/** What a capture is of, and in which entry `replay` plays it. Throws `InvalidValue` for bytes that do not begin as a
- * capture does. Not in graze/queries. */
+/** The kind of a capture, and the scalar of the entry in which `replay` plays it. Throws `InvalidValue` for bytes that
+ * do not begin as a capture does. Not in graze/queries. */
 export function captureHead(bytes: ArrayBuffer | ArrayBufferView): {
-  /** Of a simulation, or of a world. */
+  /** Whether it is of a simulation, or of a world. */
   simulation: boolean;
   plane: boolean;
   scalar: "float" | "double";
 };
-/** What a replay came to. */
+/** The result of a replay. */
 export interface ReplayReport {
   simulation: boolean;
   plane: boolean;
-  /** The bytes end within a frame, which was left out. */
+  /** Whether the bytes end within a frame, which was left out. */
   cut: boolean;
-  /** Of what came out the same. */
+  /** The number of frames and calls with the same results. */
   frames: number;
   calls: number;
-  /** Where something came out otherwise than in the run that was captured, counted from 1. */
+  /** The first result that differs from the run that was captured; frames and calls are counted from 1. */
   difference: { frame: number; call: number; what: string } | null;
 }
 /** Plays a capture again, as `graze capture` or a program in C++ wrote it, in the scalar of this entry. `each` gets the
- * world after every frame, and whether it is one of the plane; it can be asked until the function returns. Not in
- * graze/queries. */
+ * world after every frame, and whether it is one of the plane; the world can be queried until the function returns. Not
+ * in graze/queries. */
 export function replay(
   bytes: ArrayBuffer | ArrayBufferView,
   each?: (world: WorldQueries | plane.WorldQueries, frame: number, plane: boolean) => void): ReplayReport;
@@ -1367,7 +1369,7 @@ export function replay(
 
 /** The answer to one line of the query protocol, as `graze query` writes it, without the end of the line. */
 export function query(line: string): string;
-/** The same with its trace, whatever the question says. */
+/** The answer with its trace, whatever the question says. */
 export function explain(line: string): string;
 
 /** A scene of the plane as `graze collide` and `graze simulate` read it as JSON (docs/plane.md). Y points up. */
@@ -1381,7 +1383,7 @@ export interface PlaneScene {
     rotation?: number;
     /** Shapes of the same body move as one. */
     body?: string;
-    /** Absent: fixed. */
+    /** The motion; absent: fixed. */
     motion?: "kinematic" | "dynamic";
     trigger?: boolean;
     systems?: string[];
@@ -1396,7 +1398,7 @@ export interface PlaneScene {
     restitution?: number;
   }[];
 }
-/** What of an element of a DOM is looked at: a browser's has all of it but the line, for messages. */
+/** The members of an element of a DOM that are read: a browser's has all of them but the line, for messages. */
 export interface DrawnElement {
   readonly localName: string;
   readonly line?: number;

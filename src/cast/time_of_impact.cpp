@@ -289,7 +289,7 @@ class Advancement {
     const auto up = [](const PieceAt<T>& at) { return unit(rotate(at.pose().rotation, Vec3d{0, 1, 0})); };
     const Vec3d na = up(a), nb = up(b), origin_a = a.pose().translation,
                 origin_b = b.pose().translation + motion_.offset_at(t);
-    // As near to opposite as rotations are known in T.
+    // Opposite as far as rotations are known in T.
     if (opposite(converted<T>(rotate(conjugate(a.pose().rotation), nb)))) {
       const double distance = dot(na, origin_b - origin_a) - radii();
       const Vec3d pb = origin_b - na * b_.radius;

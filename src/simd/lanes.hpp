@@ -64,7 +64,7 @@ inline constexpr int register_bytes = 16;
 template <class T>
 inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(T));
 
-/// As many lanes of T as a register holds.
+/// Lanes of T, as many as a register holds.
 template <class T>
 using Lanes = Wide<T, lanes_of<T>>;
 

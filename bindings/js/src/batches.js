@@ -1,4 +1,4 @@
-// Questions about many pairs at a time, over arrays in the module's memory.
+// Queries of many pairs at a time, over arrays in the module's memory.
 
 import { InvalidValue, shown } from "./core.js";
 
@@ -29,14 +29,14 @@ export function rowsClass(core) {
   };
 }
 
-/** The questions of a dimension about many. */
+/** The queries of a dimension for many at a time. */
 export function batches(core, layout, dimension, Rows, Handle) {
   const { types, args, of, pose, numbersOf, ask } = dimension;
   const { call } = ask;
   const [vectorSize, turnSize] = ["translation", "rotation"].map((part) => types.pose.members[part].size / core.numberSize);
   const poseSize = vectorSize + turnSize;
 
-  /** Memory that answers stand in until they are disposed of. */
+  /** Memory in which answers stand until they are disposed of. */
   class Store extends Handle {
     constructor(size) {
       const pointer = core.allocate(Math.max(1, size));
@@ -60,7 +60,7 @@ export function batches(core, layout, dimension, Rows, Handle) {
       this.dispose();
     }
   }
-  /** Answers that `fill` writes; where it throws their memory is given back. */
+  /** Answers that `fill` writes; where it throws, their memory is given back. */
   const filled = (type, length, fill) => {
     const store = new Store(length * type.size);
     try {
@@ -72,7 +72,7 @@ export function batches(core, layout, dimension, Rows, Handle) {
     return new Batch(type, store, length);
   };
 
-  /** Where bodies' poses stand: one behind the other, or translations and rotations by themselves. */
+  /** The place of bodies' poses: one behind the other, or translations and rotations by themselves. */
   const posesAt = (value, path) => {
     const number = core.numberSize;
     if (value.poses !== undefined) {
@@ -117,13 +117,13 @@ export function batches(core, layout, dimension, Rows, Handle) {
     });
   const bytes = (pointer, length) => new Uint8Array(core.memory().buffer, pointer, length).slice();
 
-  /** Moving bodies one behind the other: where they begin. */
+  /** Writes moving bodies one behind the other and returns where they begin. */
   const moving = (bodies, path) => {
     const first = core.room(Math.max(1, bodies.length) * types.moving.size);
     bodies.forEach((body, i) => ask.writeMoving(first + i * types.moving.size, body, `${path}[${i}]`));
     return first;
   };
-  /** Answers of which there need not be one each: `found` says so. */
+  /** Answers that not every element has: `found` is 1 where there is one. */
   const foundOf = (type, count, fill) => {
     const found = core.room(Math.max(1, count));
     const hits = filled(type, count, (p) => fill(found, p));

@@ -68,7 +68,7 @@ export function broadPhases(core, layout, args, ask, Handle) {
       return found;
     }
   }
-  /** A copy of numbers that belong to the buffer until the next question: so many an answer. */
+  /** A copy of numbers that belong to the buffer until the next query: `each` of them for an answer. */
   const ids = (each, body) => {
     const [first, count] = ask.place(body);
     return new Uint32Array(core.data.buffer, first, each * count).slice();

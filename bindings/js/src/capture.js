@@ -2,7 +2,7 @@
 
 import { InvalidValue } from "./core.js";
 
-/** What the module calls with the bytes of each frame, and after each frame that is played. */
+/** The functions that the module calls with the bytes of each frame, and after each frame that is played. */
 export function captureImports(core) {
   return {
     write: (key, bytes, size) =>
@@ -16,8 +16,8 @@ export function captureImports(core) {
 }
 
 /**
- * The pointer of a new world or simulation, and what gives it back; `name` is that of its functions, `settings` writes
- * what it begins with. A captured one where `capture` is a function.
+ * The pointer of a new world or simulation, and the function that gives it back; `name` is that of its functions,
+ * `settings` writes its settings. A captured one where `capture` is a function.
  */
 export function created(core, name, settings, capture) {
   const key = capture === undefined ? null : core.keep(capture);
@@ -31,7 +31,7 @@ export function created(core, name, settings, capture) {
   const release = (pointer) => {
     core.exports[`graze_${name}_destroy_${core.scalar}`](pointer);
     end();
-    core.thrown = null; // nobody is there who could be told
+    core.thrown = null; // no caller is there to catch it
   };
   try {
     if (key !== null && core.exports[`graze_${name}_create_captured_${core.scalar}`] === undefined)
@@ -44,7 +44,7 @@ export function created(core, name, settings, capture) {
 }
 
 export function replays(core, layout, worlds, planeWorlds) {
-  /** Where a copy of the caller's bytes is, and how many. */
+  /** The place of a copy of the caller's bytes, and their number. */
   const copied = (bytes) => {
     const from = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
     const place = core.room(Math.max(1, from.length));

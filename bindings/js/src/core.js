@@ -1,7 +1,7 @@
 // The module's memory: loading, scratch room for arguments, errors, and objects that live in it.
 //
 // A module is loaded once for each entry of the package. Arguments are written into a scratch arena, which is empty
-// again after each call; what does not fit is allocated and freed with it.
+// again after each call; arguments that do not fit are allocated and freed with it.
 
 export class InvalidValue extends RangeError {
   name = "InvalidValue";
@@ -11,7 +11,7 @@ const arenaSize = 1 << 16;
 const text = new TextDecoder();
 const bytesOf = new TextEncoder();
 
-/** What is not the library's: the few things that the C++ runtime asks of its host. Memory may have grown since JavaScript
+/** The few functions that the C++ runtime, not the library, needs of its host. Memory may have grown since JavaScript
  * last looked at it. */
 function hostImports(core) {
   const unsupported = () => 52; // WASI's ENOSYS
@@ -68,7 +68,7 @@ async function compiled(source) {
 }
 
 export class Core {
-  /** `scalar` is "f" or "d": how names of the C interface end; `address` is where the module lies. */
+  /** `scalar` is "f" or "d", the end of names of the C interface; `address` is that of the module. */
   constructor(scalar, address) {
     this.scalar = scalar;
     this.address = address;
@@ -104,7 +104,7 @@ export class Core {
     return this.exports !== undefined;
   }
 
-  /** Memory that grew has another buffer. */
+  /** A view of the memory, which has another buffer after it grew. */
   memory() {
     if (!this.loaded) throw new Error("graze: call init() and wait for it first");
     if (this.data.buffer !== this.exports.memory.buffer) this.data = new DataView(this.exports.memory.buffer);
@@ -121,7 +121,7 @@ export class Core {
     return text.decode(bytes.subarray(0, bytes.indexOf(0)));
   }
 
-  /** Where the UTF-8 of a text is, with a zero behind it. */
+  /** Writes the UTF-8 of a text, with a zero behind it, and returns its place. */
   written(value, path) {
     if (typeof value !== "string" || value.includes("\0")) throw new InvalidValue(`${path}: expected a text, got ${shown(value)}`);
     const bytes = bytesOf.encode(value);
@@ -151,7 +151,7 @@ export class Core {
     new Uint8Array(this.memory().buffer).copyWithin(to, from, from + size);
   }
 
-  /** Scratch room until the frame ends: zeros. */
+  /** Scratch room until the frame ends, filled with zeros. */
   room(size) {
     const place = (this.used + 15) & ~15;
     let pointer = place;
@@ -171,7 +171,7 @@ export class Core {
     return pointer;
   }
 
-  /** Calls a function of the C interface by its name without beginning and scalar; throws what it refuses. */
+  /** Calls a function of the C interface by its name without beginning and scalar; throws its errors. */
   call(name, ...args) {
     this.check(this.exports[`graze_${name}_${this.scalar}`](...args));
   }
@@ -188,14 +188,14 @@ export class Core {
     throw status === 1 ? new InvalidValue(message) : new Error(message);
   }
 
-  /** A number by which the module names a function of JavaScript. */
+  /** Keeps a function of JavaScript and returns the number by which the module names it. */
   keep(callback) {
     this.lastCallback += 1;
     this.callbacks.set(this.lastCallback, callback);
     return this.lastCallback;
   }
 
-  /** A callback's answer; what it throws is thrown when the module returns. */
+  /** A callback's result; its exception is thrown when the module returns. */
   called(key, otherwise, body) {
     try {
       return body(this.callbacks.get(key));
@@ -206,12 +206,12 @@ export class Core {
   }
 }
 
-/** The base of all that lies in the module's memory. */
+/** The base of all objects that lie in the module's memory. */
 export function handleClass(core) {
   return class Handle {
     #pointer;
     #release;
-    /** `release` gives back what `pointer` stands for. */
+    /** `release` gives the object behind `pointer` back. */
     constructor(pointer, release) {
       this.#pointer = pointer;
       this.#release = release;

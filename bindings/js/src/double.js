@@ -15,7 +15,7 @@ export const {
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
-/** What a function of the module answers to a text. */
+/** The answer of a function of the module to a text. */
 const answered = (name, text, ...more) =>
   core.frame(() => {
     const bytes = encoder.encode(text);

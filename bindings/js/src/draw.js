@@ -1,4 +1,4 @@
-// Debug draw: what the library knows, drawn by a renderer of the caller's.
+// Debug draw: the library's objects and answers, drawn by a renderer of the caller's.
 
 import { named } from "./layout.js";
 
@@ -8,7 +8,7 @@ const meanings = [
   "bounds", "path", "ghost", "joint"];
 const methods = ["point", "line", "triangle"];
 
-/** What the module calls while it draws. */
+/** The functions that the module calls while it draws. */
 export function drawImports(core) {
   const onto = (key, name, layer, meaning, values) =>
     core.called(key, undefined, (renderer) => renderer[name]?.(...values(), layers[layer], meanings[meaning]));
@@ -23,7 +23,7 @@ export function drawImports(core) {
   };
 }
 
-/** The renderer as the C interface has it, as long as `body` takes. */
+/** The renderer in the form of the C interface, for as long as `body` takes. */
 function drawnOn(core, layout, renderer, body) {
   const on = core.room(layout.debugDraw.size);
   core.exports.graze_debug_draw_default(on);
@@ -98,7 +98,7 @@ export function worldDrawings(core, layout, { prefix, types, pose }, worlds, { S
   };
 }
 
-/** What is drawn in space on top of that. */
+/** Drawing that only space has, on top of that of both dimensions. */
 export function spaceDrawings(core, layout, args) {
   return {
     bounds: (box, renderer) =>

@@ -1,4 +1,4 @@
-// What an entry of the package exports, made for one module.
+// The exports of an entry of the package, made for one module.
 
 import { Core, handleClass, InvalidValue } from "./core.js";
 import { drawImports } from "./draw.js";

@@ -1,4 +1,4 @@
-// The layers of a convex hull, and what its support queries look at.
+// The layers of a convex hull, and the vertices that its support queries look at.
 
 export function hullLayering(core, layout, args, ask, shapes) {
   const { of } = shapes;

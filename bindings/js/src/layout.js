@@ -1,4 +1,4 @@
-// How structs of the C interface lie in memory: those of WebAssembly's 32-bit C ABI, each member aligned to its size.
+// The layout of the structs of the C interface: WebAssembly's 32-bit C ABI, each member aligned to its size.
 
 import { InvalidValue, shown } from "./core.js";
 
@@ -31,7 +31,7 @@ export function layouts(core) {
     write: (p, v, path) => type.write(p, named(values, v, path)),
   });
 
-  /** So many of one type, as an array. */
+  /** An array of `count` values of one type. */
   const several = (type, count) => ({
     size: type.size * count,
     align: type.align,
@@ -43,7 +43,7 @@ export function layouts(core) {
     },
   });
 
-  /** Members in their order; what an object to be written lacks stays as it is. */
+  /** A struct of members in their order; a member that an object to be written lacks stays as it is. */
   const struct = (members) => {
     let end = 0;
     let align = 1;
@@ -87,7 +87,7 @@ export function layouts(core) {
   const realVector = several(real, 3);
   const pair = struct({ overlap: bool, firstManifold: u32, manifoldCount: u32 });
 
-  /** The structs of a number of dimensions: its vectors, its turnings and rotations, and what differs otherwise. */
+  /** The structs of a dimension: its vectors, its turnings and rotations, and the parts that differ otherwise. */
   const dimension = (vector, turning, rotation, { rayHitMembers, inertiaMembers, principalInertia, inertia }) => {
     const motion = struct({ linear: vector, angular: turning, center: vector });
     const inverseMass = struct({ mass: num, inertia });
@@ -212,5 +212,5 @@ export function layouts(core) {
   };
 }
 
-/** Where a word stands in a list of them. */
+/** The place of a word in a list of words. */
 export { named };

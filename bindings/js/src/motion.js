@@ -1,18 +1,18 @@
 // Blows that are passed on and free motion, in space and in the plane.
 
-/** A body as a blow meets it, in the module's memory; `inverseMass` has what differs between dimensions. */
+/** A body as a blow meets it, in the module's memory; `inverseMass` has the parts that differ between dimensions. */
 const bodyWriter = (types, { inverseMass }) => (p, body, path) => {
   const { linear, angular, translation } = body;
   const motion = { linear, angular, center: translation };
   types.struckBody.write(p, { motion, mass: inverseMass(body, path) }, path);
 };
 
-/** Questions about single bodies, and `passOn`. */
+/** Queries of single bodies, and `passOn`. */
 export function passing(core, layout, dimension) {
   const { types, args, ask } = dimension;
   const { written, answered } = args;
   const write = bodyWriter(types, dimension);
-  /** `values` one behind the other. */
+  /** Writes `values` one behind the other. */
   const list = (type, values, path, writeOne) => {
     const first = core.room(Math.max(1, values.length) * type.size);
     values.forEach((value, i) => writeOne(first + i * type.size, value, `${path}[${i}]`));
@@ -55,7 +55,7 @@ export function freeMotion(core, layout, dimension) {
   const { types, args, ask, pose, turnOf, inverseInertiaOf } = dimension;
   const { written, answered } = args;
   const at = (body) => written(types.freeBody, body, "body");
-  /** Vectors are passed by pointer, numbers as they are. */
+  /** A turning as an argument: vectors are passed by pointer, numbers as they are. */
   const turning = (value) => (types.turning === layout.num ? value : written(types.turning, value, "angular"));
   return {
     freeBody({ inertia, linear, angular, ...place }) {

@@ -1,4 +1,4 @@
-// The same words in two dimensions.
+// The functions and classes of the package in two dimensions.
 
 import { batches } from "./batches.js";
 import { InvalidValue, shown } from "./core.js";
@@ -25,7 +25,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       return core.data.getUint32(result, true);
     });
   const vec2 = (v, path) => written(layout.vec2, v, path);
-  /** The rotation is an angle here and the turned X axis there, by the library's own sine and cosine. */
+  /** A pose of the C interface, whose rotation is the turned X axis, by the library's own sine and cosine. */
   const pose = (value, path) => {
     const [x, y] = value?.translation ?? [0, 0];
     const p = core.room(types.pose.size);
@@ -58,7 +58,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
     }
   }
   const of = (shape, path = "shape") => Handle.pointer(shape, path, Shape);
-  /** An outline: where its points are, and how many. */
+  /** An outline as arguments: the place of its points, and their number. */
   const outline = (points, path) => {
     const { pointer, count } = rows(points, 2, path);
     return [pointer, 0, count];

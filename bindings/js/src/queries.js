@@ -1,4 +1,4 @@
-// graze/queries: questions in space and worlds, in float.
+// graze/queries: queries in space and worlds, in float.
 
 import { queriesEntry } from "./entry.js";
 

@@ -1,4 +1,4 @@
-// Questions about two shapes, in space and in the plane.
+// Queries of two shapes, in space and in the plane.
 
 import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
@@ -7,13 +7,13 @@ import { traceReader } from "./trace.js";
 const backFaces = ["hit", "ignored"];
 const separations = ["hit", "ignored"];
 
-/** The questions of a dimension: how its functions' names begin, its structs, and how its shapes and poses are given. */
+/** The queries of a dimension, by the beginning of its functions' names, its structs, shapes and poses. */
 export function questions(core, layout, { prefix, types, args, of, pose }) {
   const { written, answered } = args;
   const call = (name, ...parameters) => core.call(`${prefix}${name}`, ...parameters);
   const two = (a, poseA, b, poseB) => [of(a, "a"), pose(poseA, "poseA"), of(b, "b"), pose(poseB, "poseB")];
   const yes = (name, ...parameters) => answered(layout.bool, (p) => call(name, ...parameters, p));
-  /** An answer that there need not be: the function writes first whether it is there. */
+  /** An answer that may be absent: the function writes first whether it is there. */
   const found = (type, body) => {
     const there = core.room(1);
     const p = core.room(type.size);
@@ -21,7 +21,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     return core.data.getUint8(there) === 0 ? null : type.read(p);
   };
 
-  /** Room for answers of no fixed number, one for all questions of a dimension. */
+  /** Room for answers of no fixed number, one for all queries of a dimension. */
   let buffer = 0;
   const room = () => {
     if (buffer !== 0) return buffer;
@@ -30,14 +30,14 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     buffer = core.data.getUint32(p, true);
     return buffer;
   };
-  /** Where an array begins that belongs to the buffer, and how many there are in it. */
+  /** The place of an array that belongs to the buffer, and its length. */
   const place = (body) => {
     const first = core.room(4);
     const count = core.room(4);
     body(room(), first, count);
     return [core.data.getUint32(first, true), core.data.getUint32(count, true)];
   };
-  /** What is in it. */
+  /** The elements of such an array. */
   const listed = (type, body) => layout.readAll(type, ...place(body));
 
   const pointsOf = (all, m) =>
@@ -70,14 +70,14 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   };
   const separating = (options) => named(separations, options?.separating ?? "hit", "separating");
   const back = (options) => named(backFaces, options?.backFaces ?? "hit", "backFaces");
-  /** In the plane nothing has a back. */
+  /** The argument for back faces, which the plane does not have. */
   const backs = (options) => (prefix === "" ? [back(options)] : []);
 
   const rayAt = (shape, at, value, options) =>
     [of(shape), pose(at, "pose"), ray(value), length(value), ...backs(options)];
   const moved = (a, b, options) => [moving(a, "a"), moving(b, "b"), options?.duration ?? 1, separating(options)];
 
-  /** Each question by the functions whose names end so and which take `trace`, or nothing more, after the answer. */
+  /** Each query by the functions whose names end so, and which take `trace`, or nothing more, after the answer. */
   const asked = (ending, ...trace) => ({
     overlap: (a, poseA, b, poseB) =>
       answered(layout.bool, (p) => call(`overlap${ending}`, ...two(a, poseA, b, poseB), p, ...trace)),
@@ -98,7 +98,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
       found(types.castHit, (there, p) => call(`cast${ending}`, ...moved(...question), there, p, ...trace)),
   });
 
-  /** What is known of shapes and their contacts without a trace. */
+  /** Queries of shapes and their contacts that have no trace. */
   const untraced = {
     contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
     featureCorners(shape, feature, piece = 0) {
@@ -111,12 +111,12 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     castAll: (...question) => listed(types.castHit, (...to) => call("cast_all", ...moved(...question), ...to)),
   };
 
-  /** Each function in a frame of scratch room. */
+  /** Functions that run in a frame of scratch room each. */
   const framed = (functions) =>
     Object.fromEntries(
       Object.entries(functions).map(([name, f]) => [name, (...parameters) => core.frame(() => f(...parameters))]));
 
-  /** Each question asked with a trace, which lives in the module as long as it takes: `use` makes the answer of both. */
+  /** Each query with a trace, which lives in the module as long as it takes: `use` makes the result of both. */
   const explaining = (use) => {
     const explained = (name) => (...parameters) => {
       const place = core.room(4);
@@ -130,7 +130,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     };
     return framed(Object.fromEntries(Object.keys(asked("")).map((name) => [name, explained(name)])));
   };
-  /** Each question with what it did, as plain objects. */
+  /** Each query with its trace, as plain objects. */
   const traced = () => {
     const read = traceReader(core, layout);
     return explaining((answer, trace) => ({ answer, trace: read(trace) }));
@@ -141,7 +141,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     moving, writeMoving, separating, back, backs };
 }
 
-/** The questions that there are in space alone, on top of those of both dimensions. */
+/** The queries that only space has, on top of those of both dimensions. */
 export function spaceQuestions(core, layout, args, shapes) {
   const { of } = shapes;
   const { written, answered, pose } = args;

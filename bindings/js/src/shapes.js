@@ -1,4 +1,4 @@
-// Shapes, poses and numbers in the module's memory: what every question is about.
+// Shapes, poses and numbers in the module's memory: the arguments of every query.
 
 import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
@@ -10,7 +10,7 @@ const noTurn = [0, 0, 0, 1];
 const origin = [0, 0, 0];
 export const sides = ["both", "front"];
 
-/** Arguments of the C interface in scratch room, and answers of it. Used inside a frame. */
+/** Arguments of the C interface in scratch room, and its answers. Used inside a frame. */
 export function argumentsOf(core, layout) {
   const written = (type, value, path) => {
     const p = core.room(type.size);
@@ -19,7 +19,7 @@ export function argumentsOf(core, layout) {
   };
   const pose = (value, path) =>
     written(layout.pose, { translation: value?.translation ?? origin, rotation: value?.rotation ?? noTurn }, path);
-  /** Writes `values`, numbers or arrays of `width` numbers, one behind the other; answers where and how many rows. */
+  /** Writes `values`, numbers or arrays of `width` numbers, one behind the other; returns their place and number. */
   const rows = (values, width, path, View = core.Numbers) => {
     if (values === null || typeof values !== "object")
       throw new InvalidValue(`${path}: expected an array, got ${shown(values)}`);
@@ -38,7 +38,7 @@ export function argumentsOf(core, layout) {
       });
     return { pointer: p, count: length / width };
   };
-  /** Calls with a place for one answer, and reads it. */
+  /** Calls a function with a place for one answer, and reads it. */
   const answered = (type, call) => {
     const p = core.room(type.size);
     call(p);
@@ -185,7 +185,7 @@ export function shapeClasses(core, layout, args, Handle) {
           if (heights?.length !== columns * rowCount)
             throw new InvalidValue(
               `heightField.heights: expected ${columns} * ${rowCount} numbers, got ${heights?.length ?? shown(heights)}`);
-          // What is no number is a hole, and null would become 0.
+          // A value that is no number is a hole, and null would become 0.
           const values = Array.isArray(heights) ? heights.map((h) => h ?? NaN) : heights;
           const spacing = options.spacing ?? [1, 1];
           const seen = named(sides, options.sides ?? "both", "heightField.sides");
@@ -228,7 +228,7 @@ export function shapeClasses(core, layout, args, Handle) {
       return core.numbers(Handle.pointer(this, "numbers", Numbers), this.length);
     }
   }
-  /** Where the numbers of a `Numbers` stand, or those of an array once they are copied in. */
+  /** The place of the numbers of a `Numbers`, or of those of an array once they are copied in. */
   const numbersOf = (values, width, path) => {
     if (!(values instanceof Numbers)) return rows(values, width, path);
     if (values.length % width !== 0)

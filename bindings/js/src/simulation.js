@@ -1,4 +1,4 @@
-// Bodies that fall, collide, rest and are tied together; and what one blow does.
+// Bodies that fall, collide, rest and are tied together; and the response to one blow.
 
 import { created } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
@@ -15,9 +15,9 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
   const { idAt, bodyAt, questionable } = worlds;
   const call = (name, ...parameters) => core.call(`${prefix}simulation_${name}`, ...parameters);
   const vector = (value, path) => written(types.vector, value, path);
-  /** A pose in an array is all its numbers. */
+  /** The number of numbers that a pose in an array has. */
   const poseNumbers = types.pose.size / core.numberSize;
-  /** The library's defaults, and what the caller says. */
+  /** The library's defaults, overwritten by the caller's values. */
   const settled = (type, name, value) => {
     const p = core.room(type.size);
     core.exports[`graze_${prefix}${name}_default_${core.scalar}`](p);
@@ -34,7 +34,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     });
   const materialAt = (value = {}) => settled(types.material, "material", value);
 
-  /** Structs one behind the other. */
+  /** Writes structs one behind the other. */
   const several = (type, values, path) => {
     const first = core.room(Math.max(1, values.length) * type.size);
     values.forEach((value, i) => type.write(first + i * type.size, value, `${path}[${i}]`));

@@ -1,4 +1,4 @@
-// What a query did, as plain objects.
+// The trace of a query as plain objects.
 
 export function traceReader(core, layout) {
   const all = (type, pointer, count, read = (x) => x) => layout.readAll(type, pointer, count).map(read);

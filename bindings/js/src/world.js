@@ -1,4 +1,4 @@
-// Bodies, what touches, and questions about them.
+// Bodies, the pairs that touch, and queries of them.
 
 import { created } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
@@ -13,7 +13,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   const { prefix, types, args, of, Shape, pose, shown: shownPose, numbersOf, ask } = dimension;
   const { written, answered } = args;
   const release = `graze_${prefix}shape_release_${core.scalar}`;
-  /** A pose in an array is all its numbers. */
+  /** The number of numbers that a pose in an array has. */
   const poseNumbers = types.pose.size / core.numberSize;
 
   const idAt = (value, path) => {
@@ -36,12 +36,12 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     writeFilter(p + types.body.offset.filter, body.filter ?? {}, "body.filter");
     return p;
   };
-  /** A last word of the caller's, as the two members of a struct; `key` is null where there is none. */
+  /** A callback that decides last, as the two members of a struct; `key` is null where there is none. */
   const kept = (callback, pointer) => {
     if (callback === undefined) return { key: null, function: 0 };
     return { key: core.keep(callback), function: core.exports[pointer]() };
   };
-  /** Asks with a filter that lives as long as the question. */
+  /** Runs a query with a filter that lives as long as the query. */
   const filtered = (options, body) => {
     const p = core.room(layout.queryFilter.size);
     const accept = kept(options?.accept, "graze_js_accept");
@@ -66,7 +66,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   const listed = (type, name, ...parameters) =>
     ask.listed(type, (buffer, first, count) => call(name, ...parameters, buffer, first, count));
 
-  /** What can be asked of a world, of its own or of a simulation's; `pointer` answers where that is. */
+  /** The queries of a world, of its own or of a simulation's; `pointer` returns its pointer. */
   const asked = (pointer) => ({
     size() {
       const bodies = core.room(4);
@@ -78,7 +78,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       ask.found(layout.id, (there, p) => call("body_at", pointer(), index, there, p)),
     pose(id) {
       const body = answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p));
-      core.exports[release](body.shape); // one more share, which was given to us
+      core.exports[release](body.shape); // one more share, which the call has added
       return shownPose(body.pose);
     },
     shape: (id) => new Shape(answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p)).shape),
@@ -141,7 +141,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
           ask.separating(options))),
     memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
   });
-  /** In space bodies slide along others, too. */
+  /** The queries that only space has: bodies slide along others. */
   const slides = (pointer) => ({
     slide: (shape, at, motion, options) =>
       filtered(options, (f) => {
@@ -154,14 +154,14 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         return { end: types.pose.read(end), left: layout.vec3.read(left), touched };
       }),
   });
-  /** Where the world of each thing is that has those questions. */
+  /** The function that returns the pointer of the world, for each object with those queries. */
   const pointers = new WeakMap();
   const pointerOf = (world) => {
     const pointer = pointers.get(world);
     if (pointer === undefined) throw new InvalidValue(`world: expected a World, got ${shown(world)}`);
     return pointer();
   };
-  /** Gives `target` those questions as methods. */
+  /** Gives `target` those queries as methods. */
   const questionable = (target, pointer) => {
     const { size, ...methods } = { ...asked(pointer), ...(prefix === "" ? slides(pointer) : {}) };
     const framed = ask.framed({ size, ...methods });

@@ -1,4 +1,4 @@
-// Both sides of a batch from Python, in space and in the plane, which differ in their `Words` (`SpaceBatch`,
+// The two sides of a batch from Python, in space and in the plane, which differ in their `Words` (`SpaceBatch`,
 // `PlaneBatch`).
 //
 // Guarantee: poses in an array of rows are read where they stand, everything is checked before the first pair is
@@ -76,7 +76,7 @@ class Side {
   std::span<const Pose> poses_;
 };
 
-/// Both sides and the places of the pairs.
+/// The two sides and the places of the pairs.
 template <class Words>
 class Question {
  public:

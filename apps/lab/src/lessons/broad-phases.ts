@@ -28,7 +28,7 @@ const drawn: Record<Kind, string> = {
 };
 const count = 100, frames = 12;
 
-/** The same bodies for everybody: a linear congruential generator (Numerical Recipes). */
+/** The bodies of a scene, the same on every machine: a linear congruential generator (Numerical Recipes). */
 function bodies(scene: string): { center: Vec; half: Vec; velocity: Vec }[] {
   let seed = 7;
   const random = (): number => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;

@@ -111,8 +111,8 @@ const spaceState = (translation: Vec, rotation: Vec): State => ({
 });
 
 const at = (p: Support): Vec => add(homeSpace, sub(p.b, p.a));
-/** How many corners the polytope began with: the trace lists them in the order in which they came, one for each step after
- *  those. Nothing when they do not reach as far as the steps say. */
+/** The number of corners with which the polytope began: the trace lists them in the order in which they came, one for
+ *  each step after those. Nothing when they do not reach as far as the steps say. */
 function beginning({ epa, polytope }: Trace): number | null {
   const points = polytope?.points ?? [], first = points.length - epa.length;
   const fits = (s: EpaStep, p: Support): boolean => Math.abs(dot(sub(p.b, p.a), scale(s.normal, -1)) - s.foundDepth) <= 1e-9 * Math.max(s.foundDepth, s.faceDepth);

@@ -71,7 +71,7 @@ interface Crowd {
 }
 const snake = (name: string): string => name.replace(/[A-Z]/g, (x) => `_${x.toLowerCase()}`);
 
-/** How many pairs of boxes a broad phase finds in each frame. Python has worlds, and no broad phase by itself. */
+/** The number of pairs of boxes that a broad phase finds in each frame. Python has worlds, and no broad phase alone. */
 export function broadPhasePrograms({ kind, count, frames, spread, giant, teleport }: Crowd): Programs {
   const motion = teleport ? "Bodies are somewhere else in each frame" : "Bodies move there and back between walls";
   return {
@@ -156,7 +156,7 @@ for (let frame = 0; frame < ${frames}; frame++) {
 
 interface Filtered { name: string; category: number; mask: number; group: number; at: Vec }
 
-/** Which of several balls of one radius collide, as their filters and places decide. */
+/** The pairs of several balls of one radius that collide, as their filters and places decide. */
 export function filterPrograms(radius: number, bodies: Filtered[]): Programs {
   const bits = (x: number): string => (x > 15 ? String(x) : `0b${x.toString(2).padStart(4, "0")}`);
   const rows = (row: (b: Filtered) => string): string => bodies.map((b) => `${row(b)},\n`).join("");

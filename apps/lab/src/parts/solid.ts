@@ -37,7 +37,7 @@ export function solidDrawn(draw: (on: graze.Renderer) => void, size = reach): So
   });
   return { faces: toCreasedNormals(geometry(faces), crease), edges: geometry(edges) };
 }
-/** Those of a drawing of the plane, where a shape may be lines alone: lines as wide as a hundredth of `size`. */
+/** The faces and edges of a drawing of the plane. Lines without an area are as wide as a hundredth of `size`. */
 export function flatSolidDrawn(draw: (on: graze.Renderer) => void, size: number): Solid {
   const solid = solidDrawn(draw, size);
   if (solid.faces.getAttribute("position").count > 0) return solid;
