@@ -16,7 +16,7 @@ struct FramesOptions {
   std::optional<double> duration;
   std::string animation;
 
-  /// Returns the flag that asks for frames.
+  /// Adds the options and returns the flag for frames.
   CLI::Option* add_to(CLI::App& command);
 };
 

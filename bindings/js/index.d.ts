@@ -1405,6 +1405,6 @@ export interface DrawnElement {
   readonly attributes: Iterable<{ readonly name: string; readonly value: string }>;
   readonly children: Iterable<DrawnElement>;
 }
-/** The scene that an `<svg>` element draws, read as `graze collide` reads a drawing. Throws `InvalidValue` that names the
- * element. graze/double alone. */
+/** The scene that an `<svg>` element draws, read as `graze collide` reads a drawing. Throws `InvalidValue` that names
+ * the element. graze/double alone. */
 export function planeScene(svg: DrawnElement): PlaneScene;

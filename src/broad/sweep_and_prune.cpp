@@ -15,7 +15,7 @@ constexpr std::size_t max_new_share = 256;  // one in so many
 constexpr std::size_t max_exchanges = 24;
 
 /// Keeps, from call to call, the ends of all boxes sorted along each axis and the pairs that overlap. Both are brought
-/// up to date when pairs are asked for. Queries look at all boxes: a sorted axis halves that at best.
+/// up to date by a search for pairs. Queries look at all boxes: a sorted axis halves that at best.
 template <class T>
 class SweepAndPrune final : public BroadPhase<T> {
  public:

@@ -45,8 +45,8 @@ class ModelWriter {
 /// The look of a collider that touches nothing: alone in its file, or (`kept`) beside the meshes that the file shows.
 const Look& collider_look(bool kept, bool fixed);
 
-/// Debug draw into a model: shapes as meshes, points as small octahedra, arrows and lines as thin solids, each a node of
-/// its own. A text is a node without a mesh that bears the words as its name.
+/// Debug draw into a model: shapes as meshes, points as small octahedra, arrows and lines as thin solids, each a node
+/// of its own. A text is a node without a mesh that bears the words as its name.
 class GltfDraw final : public DebugDraw {
  public:
   /// Looks are those of a model that was a file (`kept`), or of one that has nothing but what is drawn.

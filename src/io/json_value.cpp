@@ -172,7 +172,7 @@ bool JsonValue::boolean() const {
 
 std::size_t JsonValue::whole_number() const {
   const double value = json_->is_number() ? json_->get<double>() : -1;
-  // Beyond 2^53 a double no longer tells neighbours apart, and nothing here counts that far.
+  // Beyond 2^53 doubles do not hold every whole number, and nothing here counts that far.
   if (!(value >= 0) || value != std::floor(value) || value > 9007199254740992.0) fail("a whole number >= 0");
   return static_cast<std::size_t>(value);
 }

@@ -1,6 +1,6 @@
 // Conservative advancement of two convex pieces that move and turn (Mirtich 1996, section 2.3).
 //
-// Guarantee: no time at which the pieces come as close as is asked is passed over.
+// Guarantee: no time at which the pieces come as close as `near` is passed over.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // The point of the Minkowski difference that is nearest to the origin, given by the edge it lies on.
 //
-// Guarantee: the answer is computed from the vertices of that edge alone, whoever found it, so that every way to find
-// it gives the same bits.
+// Guarantee: the answer is computed from the vertices of that edge alone, so that every way to find the edge gives the
+// same bits.
 #pragma once
 
 #include <limits>

@@ -127,7 +127,7 @@ template <class T>
 std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points, std::span<const Index> triangles) {
   std::vector<std::uint64_t> hashes(points.size());
   std::transform(points.begin(), points.end(), hashes.begin(), [](const Vec3<T>& p) { return hash_of(p); });
-  // A place holds a part of the hash, by which most others are told from it, and the triangle's number plus one.
+  // A place holds a part of the hash, by which most others differ from it, and the triangle's number plus one.
   const std::size_t places = std::bit_ceil(2 * triangles.size() + 1);
   std::vector<std::uint64_t> table(places, 0);
   std::vector<std::uint32_t> out;

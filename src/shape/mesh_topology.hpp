@@ -9,8 +9,8 @@
 
 namespace graze {
 
-/// The edges of a mesh, sorted: by which triangles, and in which direction, each is run through. Edges are told from
-/// each other by place in the list of points. Triangles that have a corner twice are passed over. Cost n log n.
+/// The edges of a mesh, sorted: by which triangles, and in which direction, each is run through. Edges differ by the
+/// places of their ends in the list of points. Triangles that have a corner twice are passed over. Cost n log n.
 class EdgeUses {
  public:
   EdgeUses(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points);

@@ -46,7 +46,7 @@ class Shares {
   static std::uint64_t packed(std::uint64_t first, std::uint64_t end) { return first << 32 | end; }
 
   /// Changes a share to the rest `rest(first, end)` of it. The order is relaxed, since no data of the tasks depends on
-  /// it: whoever runs the threads begins and ends them in order.
+  /// it: the executor that runs the threads begins and ends them in order.
   template <class Rest>
   bool take(std::size_t share, const Rest& rest) {
     std::atomic<std::uint64_t>& range = left_[share].range;

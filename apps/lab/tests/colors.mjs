@@ -1,9 +1,10 @@
 // The lab's colours are told apart with any colour vision: every two meanings, in both themes, as people without long,
 // middle or short cones see them.
 //
-// Simulated by the matrices of Machado, Oliveira, Fernandes: A physiologically-based model for simulation of color vision
-// deficiency, IEEE Transactions on Visualization and Computer Graphics 15 (2009), severity 1, on linear sRGB. Compared by
-// CIEDE2000 (Sharma, Wu, Dalal: Color Research and Application 30, 2005), where 1 is what one just notices side by side.
+// Simulated by the matrices of Machado, Oliveira, Fernandes: A physiologically-based model for simulation of color
+// vision deficiency, IEEE Transactions on Visualization and Computer Graphics 15 (2009), severity 1, on linear sRGB.
+// Compared by CIEDE2000 (Sharma, Wu, Dalal: Color Research and Application 30, 2005), where 1 is what one just notices
+// side by side.
 //
 //   node tests/colors.mjs
 

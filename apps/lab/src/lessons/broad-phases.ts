@@ -98,7 +98,7 @@ function stand(kind: Kind, scene: string): Standing {
 interface Update { box: Bounds; partners: Set<number>; tests: number; parts: Part[] }
 const updates = new Map<string, Update[]>();
 const shifts = [0.05, 1.5];
-/** The first body moves a little, then far, and nothing else does: its pairs, and how many boxes it is compared with. */
+/** The first body moves a little, then far, and nothing else does: its pairs, and the comparisons made. */
 function update(kind: Kind, scene: string): Update[] {
   const key = `${kind} ${scene}`, known = updates.get(key);
   if (known) return known;

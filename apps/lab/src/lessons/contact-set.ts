@@ -25,8 +25,8 @@ function crossing(q: State["q"], feature: string): { a: [Vec, Vec]; b: [Vec, Vec
   const id = Number.parseInt(feature, 16), [a, b] = [Math.floor(id / 65536), id & 0xffff];
   return a >> 14 === 2 && b >> 14 === 2 ? { a: edgeOf(q.a, a), b: edgeOf(q.b!, b) } : null;
 }
-/** The product of edges that overlaps least of all axes, and where these edges come nearest to each other; none where a face's
- *  axis has the least, or the trace has no axes. */
+/** The product of edges that overlaps least of all axes, and where these edges come nearest to each other; none where a
+ *  face's axis has the least, or the trace has no axes. */
 function leastByEdges({ a, b }: State["q"], axes: Axis[]): { name: string; overlap: number; edges: Record<"a" | "b", [Vec, Vec]>; at: Record<"a" | "b", Vec> } | null {
   const tried = axes.filter((x) => x.name !== "normal"), least = tried.reduce((best, x) => (x.overlap < best.overlap ? x : best), tried[0]);
   const named = least && /^A(\d)×B(\d)$/.exec(least.name);

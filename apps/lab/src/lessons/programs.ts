@@ -1,5 +1,5 @@
-// Programs of lessons whose question is none of the query protocol, with the lesson's values: a support point of a large
-// hull, broad phases over many frames, and bodies with filters.
+// Programs of lessons whose question is none of the query protocol, with the lesson's values: a support point of a
+// large hull, broad phases over many frames, and bodies with filters.
 
 import type { Programs } from "../parts/code.ts";
 import type { Vec } from "../question.ts";

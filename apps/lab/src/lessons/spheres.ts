@@ -18,8 +18,8 @@ const sizer = (q: Question, which: Which): Handle => {
 const inSpace = (s: State): boolean => s.choice?.view === "space";
 /** The distance of a centre before the plane of the screen, which balls moved in space have. */
 const depthOf = (s: State, which: Which): number => Number(s.choice?.[`${which}z`] ?? 0);
-/** The balls in space; or the circles in which a plane cuts them that holds both centres and the vertical: as far from each
- *  other as the balls are, whatever their depths. */
+/** The balls in space; or the circles in which a plane cuts them that holds both centres and the vertical: as far from
+ *  each other as the balls are, whatever their depths. */
 function present(s: State): Question {
   const [a, b] = [s.q.a.translation!, s.q.b!.translation!], ball = (which: Which, translation: Vec): Body =>
     inSpace(s) ? { shape: sphere(radiusOf(s.q[which]!.shape)), translation } : { shape: s.q[which]!.shape, translation };

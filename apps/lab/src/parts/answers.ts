@@ -1,5 +1,5 @@
-// Answers of the library as the library draws them: its calls onto a stage, in the lab's colours, with the keys by which rows
-// light up.
+// Answers of the library as the library draws them: its calls onto a stage, in the lab's colours, with the
+// keys by which rows light up.
 
 import { graze } from "../graze.ts";
 import type { Vec } from "../question.ts";

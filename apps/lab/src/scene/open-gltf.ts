@@ -1,5 +1,5 @@
-// glTF files as scenes: plain, or with KHR_implicit_shapes and KHR_physics_rigid_bodies. The colliders below a node with a
-// motion are one body.
+// glTF files as scenes: plain, or with KHR_implicit_shapes and KHR_physics_rigid_bodies. The colliders below a node
+// with a motion are one body.
 
 import * as THREE from "three";
 import { graze, shapeOf, whole } from "../graze.ts";
