@@ -1,5 +1,6 @@
 // The table of contact routines for two convex shapes.
 #include <array>
+#include <type_traits>
 
 #include "narrow/core/relative_frame.hpp"
 #include "narrow/general_contacts.hpp"
@@ -32,28 +33,6 @@ concept HasMoreContacts = requires(const InPlaceA<P, T>& a, const InPlaceB<P, T>
 
 template <class T>
 using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifold<T>&);
-
-/// The contacts where the pair's own routine has no answer; for pairs with several points it has left the closest. A
-/// function of its own: its numbers would push those of the other pairs out of registers, a sixth of their time.
-template <class P, class T>
-[[gnu::noinline]] GRAZE_FLATTEN T remaining_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                                     const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  if constexpr (HasMoreContacts<P, T>)
-    if (!manifold.points.empty())
-      if (const auto distance = P::more_contacts(in_place<typename P::template A<T>>(a, pose_a),
-                                                 in_place<typename P::template B<T>>(b, pose_b), margin, manifold))
-        return *distance;
-  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
-}
-
-/// The contacts by the pair's routine. One function, so that numbers stay in registers on their way to the manifold.
-template <class P, class T>
-GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                              T margin, Manifold<T>& manifold) {
-  const auto own = P::contacts(in_place<typename P::template A<T>>(a, pose_a),
-                               in_place<typename P::template B<T>>(b, pose_b), margin, manifold);
-  return own ? *own : remaining_contacts<P>(a, pose_a, b, pose_b, margin, manifold);
-}
 
 template <class T>
 T other_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
@@ -104,6 +83,31 @@ T alike_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   const T distance = other_contacts(b, pose_b, a, pose_a, margin, manifold);
   mirror(manifold);
   return distance;
+}
+
+/// The contacts where the pair's own routine has no answer; for pairs with several points it has left the closest. A
+/// function of its own: its numbers would push those of the other pairs out of registers, a sixth of their time.
+template <class P, class T>
+[[gnu::noinline]] GRAZE_FLATTEN T remaining_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                                     const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  if constexpr (HasMoreContacts<P, T>)
+    if (!manifold.points.empty())
+      if (const auto distance = P::more_contacts(in_place<typename P::template A<T>>(a, pose_a),
+                                                 in_place<typename P::template B<T>>(b, pose_b), margin, manifold))
+        return *distance;
+  if constexpr (std::is_same_v<typename P::template A<T>, typename P::template B<T>>)
+    return alike_contacts(a, pose_a, b, pose_b, margin, manifold);
+  else
+    return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
+}
+
+/// The contacts by the pair's routine. One function, so that numbers stay in registers on their way to the manifold.
+template <class P, class T>
+GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                              T margin, Manifold<T>& manifold) {
+  const auto own = P::contacts(in_place<typename P::template A<T>>(a, pose_a),
+                               in_place<typename P::template B<T>>(b, pose_b), margin, manifold);
+  return own ? *own : remaining_contacts<P>(a, pose_a, b, pose_b, margin, manifold);
 }
 
 /// The routines: the general path, in order or swapped, or the pair's own routine.

@@ -148,17 +148,18 @@ struct BoxLimits {
   S nearest;  ///< distance up to which a corner has to lie for the points to be known
 };
 template <class S>
-BoxLimits<S> box_limits(const BoxRows<S>& p, const BoxReferenceAxis<S>& choice, const S& margin) {
+BoxLimits<S> box_limits(const BoxesInPlace<S>& p, const BoxReferenceAxis<S>& choice, const S& margin) {
   using T = typename LaneOf<S>::type;
-  const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b),
+  const S size_a = length(p.rows.half_a), size_b = length(p.rows.half_b), noise = box_noise(p, size_a, size_b),
           allowed = S(T(face_preference)) * least(size_a, size_b);
   return {choice.axis, noise, greatest(margin, choice.distance + noise), choice.distance + allowed};
 }
 
-/// Calls `f` with the `BoxMeeting` along the chosen axis. `pose_of(by_b)` returns the pose of B where the mask is set,
-/// of A elsewhere. Only for boxes within the margin of each other.
-template <class S, class PoseOf, class F>
-void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const PoseOf& pose_of, const F& f) {
+/// Calls `f` with the `BoxMeeting` along the chosen axis of two boxes seen from the one whose face clips, which is
+/// `at` a position; `turn_of()` returns its rotation in the world. Only for boxes within the margin of each other.
+template <class S, class TurnOf, class F>
+void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Packed<S, 3>& at, const TurnOf& turn_of,
+                      const F& f) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Row = Packed<S, 3>;
@@ -206,16 +207,15 @@ void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Pos
   const S nearest = corners.find_deepest();
   detail::simplify(corners, near);
 
-  // Transform from the frame of the reference box to the world.
-  const PoseRows<S> clipping = pose_of(seen.by_b);
-  const Rows<S> turn = face(transposed(clipping.rotation()));
+  // Transform from the frame of the clipping box to the world.
+  const Rows<S> turn = face(transposed(turn_of()));
   const Row &wx = turn.row[0], &wy = turn.row[1], &wz = turn.row[2],
             across = wx * spread<0>(n) + wy * spread<1>(n) + wz * spread<2>(n), up = wz * Row(height),
             normal = select(seen.by_b, -across, across);
   BoxMeeting<S> meeting{corners, {}, {normal[0], normal[1], normal[2]}, limits.margin, nearest <= limits.nearest};
   BoxFaces<S>& points = meeting.faces;
   for (int k = 0; k < 3; ++k) {
-    points.origin[k] = clipping.translation[k];
+    points.origin[k] = at[k];
     points.x[k] = wx[k];
     points.y[k] = wy[k];
     points.up[k] = up[k];

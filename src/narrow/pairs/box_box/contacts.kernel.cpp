@@ -25,12 +25,12 @@ template <class T>
 /// Sorts the pairs of a bundle, of which `filled` lanes hold one, with places counted from `place` on: pairs within
 /// their margins go to `met`, the places of the others to `apart`, whose number is added to `apart_count`.
 template <class T, class S, class M>
-void sort_out(const BoxRows<S>& p, const PoseRows<S>& pose_a, const PoseRows<S>& pose_b, const S& margin,
+void sort_out(const BoxesInPlace<S>& boxes, const PoseRows<S>& pose_a, const PoseRows<S>& pose_b, const S& margin,
               const M& regular, std::uint32_t filled, std::uint32_t place, MetBoxes<T>& met, std::uint32_t* apart,
               std::size_t& apart_count) {
   using To = MetBoxes<T>;
   using Numbers = Packed<S, 1>;
-  const BoxReferenceAxis<S> choice = box_reference_axis(p, margin);
+  const BoxReferenceAxis<S> choice = box_reference_axis(boxes, margin);
   const std::uint32_t meet = bits_of((!(choice.distance > margin)) | !regular) & filled, others = filled & ~meet;
   std::uint32_t places[chosen_room];
   for (std::uint32_t i = 0; i < chosen_room; ++i) places[i] = place + i;
@@ -43,16 +43,17 @@ void sort_out(const BoxRows<S>& p, const PoseRows<S>& pose_a, const PoseRows<S>&
     constexpr std::size_t parts = std::extent_v<decltype(numbers.part)>;
     for (std::size_t k = 0; k < parts; ++k) store_chosen<T>(numbers.part[k], meet, met.number[column + k] + at);
   };
+  const auto by_b = Packed<S, 3>::Mask::of(b_clips(Numbers(choice.axis)).part[0]);
+  const BoxRows<S> p = seen_from_clipping(boxes, by_b);
   put(To::half_a, p.half_a);
   put(To::half_b, p.half_b);
   put(To::translation, p.translation);
   for (std::size_t k = 0; k < 3; ++k) put(To::rotation + 3 * k, p.rotation.row[k]);
-  const PoseRows<S> clipping =
-      select(Packed<S, 3>::Mask::of(detail::face_of_b(Numbers(choice.axis)).part[0]), pose_b, pose_a);
+  const PoseRows<S> clipping = select(by_b, pose_b, pose_a);
   put(To::clipping, clipping.translation);
   put(To::clipping + 3, clipping.vector);
   put(To::clipping + 6, Numbers(clipping.w.part[0]));
-  const BoxLimits<S> limits = box_limits(p, choice, margin);
+  const BoxLimits<S> limits = box_limits(boxes, choice, margin);
   // Nothing is known about irregular boxes, whatever the numbers are.
   const S nearest = select(regular, limits.nearest, S(std::numeric_limits<T>::quiet_NaN()));
   put(To::limits, Packed<S, 4>(limits.axis, limits.noise, limits.margin, nearest));
@@ -111,7 +112,7 @@ template <class T, class Form>
     const PoseRows<S> clipping(row(From::clipping), row(From::clipping + 3), Row(number(From::clipping + 6)));
     const std::size_t left = count - first, lanes = lanes_of<T>;
     with_box_meeting(
-        boxes, limits, [&](const auto&) __attribute__((always_inline)) { return clipping; },
+        boxes, limits, clipping.translation, [&]() __attribute__((always_inline)) { return clipping.rotation(); },
         [&](const BoxMeeting<S>& found)
             __attribute__((always_inline)) { put_meeting(found, first, left < lanes ? left : lanes, block); });
   }
@@ -130,7 +131,7 @@ template <class T>
     const Boxes<T> bundle(pairs + first, count - first);
     const PoseRows<S> pose_a(bundle.pose_a), pose_b(bundle.pose_b);
     const Vec3<S>&half_a = bundle.a.core.half, &half_b = bundle.b.core.half;
-    sort_out<T>(BoxRows<S>(Row(half_a), pose_a, Row(half_b), pose_b), pose_a, pose_b, bundle.margin,
+    sort_out<T>(BoxesInPlace<S>(Row(half_a), pose_a, Row(half_b), pose_b), pose_a, pose_b, bundle.margin,
                 regular_box(half_a) & regular_box(half_b), filled_lanes<T>(count - first),
                 place + static_cast<std::uint32_t>(first), met, apart, apart_count);
   }
@@ -148,7 +149,7 @@ template <class T>
     const RowBundle<Box<T>, Box<T>, T> bundle(rows, first);
     fetch_rows<Box<T>, Box<T>>(rows, first + rows_ahead);
     const PoseRows<S> pose_a(bundle.pose_a), pose_b(bundle.pose_b);
-    sort_out<T>(BoxRows<S>(Row(bundle.a.shapes.core.half), pose_a, Row(bundle.b.shapes.core.half), pose_b), pose_a,
+    sort_out<T>(BoxesInPlace<S>(Row(bundle.a.shapes.core.half), pose_a, Row(bundle.b.shapes.core.half), pose_b), pose_a,
                 pose_b, S(margin), bundle.regular(), filled_lanes<T>(count - first),
                 place + static_cast<std::uint32_t>(first), met, apart, apart_count);
   }
@@ -169,15 +170,21 @@ template <class T>
 [[gnu::flatten]] bool box_contact(const PairRef<T>& pair, BoxReferenceAxis<T>& choice, ContactSlots<T>& found) {
   const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
   const PoseRows<T> pose_a(*pair.pose_a), pose_b(*pair.pose_b);
-  const BoxRows<T> boxes(Packed<T, 3>(a.half_extents()), pose_a, Packed<T, 3>(b.half_extents()), pose_b);
-  if (!regular_boxes(boxes.half_a, boxes.half_b)) {
+  const BoxesInPlace<T> boxes(Packed<T, 3>(a.half_extents()), pose_a, Packed<T, 3>(b.half_extents()), pose_b);
+  if (!regular_boxes(boxes.rows.half_a, boxes.rows.half_b)) {
     found.known = T(0);
     return true;
   }
   choice = box_reference_axis(boxes, pair.margin);
   if (choice.distance > pair.margin) return false;
+  const auto by_b = b_clips(Packed<T, 3>(choice.axis));
   with_box_meeting(
-      boxes, box_limits(boxes, choice, pair.margin), [&](const auto& by_b) { return select(by_b, pose_b, pose_a); },
+      seen_from_clipping(boxes, by_b), box_limits(boxes, choice, pair.margin),
+      select(by_b, pose_b.translation, pose_a.translation),
+      [&] {
+        const auto &of_a = boxes.turn_a.row, &of_b = boxes.turn_b.row;
+        return Rows<T>{select(by_b, of_b[0], of_a[0]), select(by_b, of_b[1], of_a[1]), select(by_b, of_b[2], of_a[2])};
+      },
       [&](const BoxMeeting<T>& meeting) { put_points(meeting, found); });
   return true;
 }

@@ -66,14 +66,16 @@ Packed<S, 3> box_faces_of_a(const BoxRows<S>& p) {
   return abs(p.translation) - (p.half_a + reach);
 }
 
+/// The reach of A along B's axes.
+template <class S>
+Packed<S, 3> reach_along_b(const BoxRows<S>& p) {
+  const auto* const row = p.rotation.row;
+  return abs(row[0]) * spread<0>(p.half_a) + abs(row[1]) * spread<1>(p.half_a) + abs(row[2]) * spread<2>(p.half_a);
+}
 /// The separations along B's axes, with its half extents.
 template <class S>
 Packed<S, 3> box_faces_of_b(const BoxRows<S>& p, const Packed<S, 3>& half_b) {
-  using Row = Packed<S, 3>;
-  const Row* const row = p.rotation.row;
-  const Row reach =
-      abs(row[0]) * spread<0>(p.half_a) + abs(row[1]) * spread<1>(p.half_a) + abs(row[2]) * spread<2>(p.half_a);
-  return abs(transposed_times(p.rotation, p.translation)) - (half_b + reach);
+  return abs(transposed_times(p.rotation, p.translation)) - (half_b + reach_along_b(p));
 }
 
 /// The axis of a face along which the boxes are furthest apart, the first of equal ones.
@@ -126,27 +128,6 @@ S best_edges(const BoxRows<S>& p, const S& least, S& number) {
   }
   const S length = sqrt(abs(best) / over);
   return select(number > S(0), select(best < S(0), -length, length), none);
-}
-
-/// The reference axis for contacts up to `margin` apart. A face is preferred to an edge that is better by less than
-/// `face_preference`.
-template <class S>
-BoxReferenceAxis<S> box_reference_axis(const BoxRows<S>& p, const S& margin) {
-  using std::abs;
-  using T = typename LaneOf<S>::type;
-  using Mask = decltype(S() < S());
-  const auto [face, face_number] = best_face(p);
-  const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b);
-  // Edges need no test where a face separates the boxes by more than the margin.
-  const Mask decided = face > margin + noise;
-  S edge(-std::numeric_limits<T>::infinity()), edge_number(0);
-  if (!all(decided)) edge = select(decided, edge, best_edges(p, face + noise, edge_number));
-  const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
-  const S separation = select(edge_best, edge, face);
-  const S distance = select(abs(separation) <= noise, S(0), separation);
-  const Mask outside = distance > margin;
-  const Mask by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
-  return {distance, select(by_edge, edge_number, face_number)};
 }
 
 /// Bounds of a length whose fourth power, as in squares of areas and of gaps along edges, neither overflows nor loses

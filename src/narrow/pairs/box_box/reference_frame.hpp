@@ -5,7 +5,7 @@
 // the axis is a product of edges.
 #pragma once
 
-#include "narrow/pairs/box_box/reference_axis.hpp"
+#include "narrow/pairs/box_box/boxes_in_place.hpp"
 
 namespace graze::detail {
 
@@ -62,14 +62,7 @@ Packed<S, 3> edges_normal(const BoxRows<S>& p, const Packed<S, 3>& number) {
   return product * Row(scale * select(sum(p.translation * product) < S(0), S(-1), S(1)));
 }
 
-/// Whether an axis, by its number, is normal to a face of B: B is the reference box then, else A.
-template <class S, int N>
-auto face_of_b(const Packed<S, N>& number) {
-  using Numbers = Packed<S, N>;
-  return (number >= Numbers(S(3))) & (number < Numbers(S(6)));
-}
-
-/// Two boxes seen from the reference box, the one whose face is a rectangle along the axis.
+/// Two boxes seen from the one whose face is a rectangle along the axis, which is called the clipping one.
 template <class S>
 struct ReferenceFrame {
   using Row = Packed<S, 3>;
@@ -83,25 +76,27 @@ struct ReferenceFrame {
   Row translation;       ///< centre of the other box
   Rows<S> rotation;      ///< rotation of the other box
 
+  /// `p` as `seen_from_clipping` has it.
   ReferenceFrame(const BoxRows<S>& p, const S& axis) {
-    const Row number(axis), zero(S(0)), one(S(1));
-    const Mask of_edges = number >= Row(S(6));
+    using T = typename LaneOf<S>::type;
+    const Row number(axis), zero(S(0)), one(S(1)), three(S(3)), six(S(T(6)));
+    const Mask of_edges = number >= six;
     const bool any_edges = any(of_edges);
-    by_b = face_of_b(number);
-    face = AxisLast<S>::of(number - select(by_b, Row(S(3)), zero));
+    by_b = b_clips(number);
+    face = AxisLast<S>::of(number - select(by_b, three, zero));
     Row product;
     if (any_edges) {
-      product = edges_normal(p, number - Row(S(6)));
+      const Row of_b = number - Row{S(T(first_of_b_clipping))};
+      const Row first = select(of_b < three, zero, select(of_b < six, one, Row(S(T(2)))));
+      product = edges_normal(p, select(by_b, three * (of_b - three * first) + first, number - six));
       face = select(of_edges, AxisLast<S>::longest(product), face);
     }
-    half = face(select(by_b, p.half_b, p.half_a));
-    half_other = select(by_b, p.half_a, p.half_b);
-    translation = face(select(by_b, -transposed_times(p.rotation, p.translation), p.translation));
-    const Rows<S> back = transposed(p.rotation);
-    rotation = face(Rows<S>{select(by_b, back.row[0], p.rotation.row[0]), select(by_b, back.row[1], p.rotation.row[1]),
-                            select(by_b, back.row[2], p.rotation.row[2])});
+    half = face(p.half_a);
+    half_other = p.half_b;
+    translation = face(p.translation);
+    rotation = face(p.rotation);
     const Row far = spread<2>(translation);
-    const Row sign = select((far > zero) | ((!by_b) & (far >= zero)), one, -one);
+    const Row sign = select(far >= zero, one, -one);
     normal = Row(S(0), S(0), S(1)) * sign;
     steep = sign[0];
     if (any_edges) {
