@@ -242,6 +242,30 @@ TEST(Cli, ExplainNamesTheWinnerAndTheFeatures) {
   EXPECT_NE(r.output.find("vertex 2 of A, vertex 3 of B"), std::string::npos) << r.output;
 }
 
+// Two bodies of mass 1, the first of which runs into the second that rests: both go on with half of its speed.
+TEST(Cli, ExplainShowsTheQuantitiesOfAResponse) {
+  const auto file = std::filesystem::temp_directory_path() / "graze_explain_response_test.jsonl";
+  std::ofstream(file) << R"({"query": "response", "a": {"shape": {"type": "box"}, "mass": 1, "linear": [1, 0, 0]}, )"
+                         R"("b": {"shape": {"type": "box"}, "mass": 1}, )"
+                         R"("contact": {"point": [0, 0, 0], "normal": [1, 0, 0]}})"
+                      << std::endl;
+  const Result table = run("explain " + file.string()), json = run("explain --json " + file.string());
+  EXPECT_EQ(table.code, 0);
+  EXPECT_NE(table.output.find("the impulse along the normal is 0.5, friction holds"), std::string::npos)
+      << table.output;
+  EXPECT_NE(table.output.find("B moves on by              0.5         0         0"), std::string::npos) << table.output;
+  EXPECT_NE(table.output.find("effective mass             0.5\n"), std::string::npos) << table.output;
+  EXPECT_EQ(json.code, 0);
+  EXPECT_NE(json.output.find("\"effectiveMass\": 0.5"), std::string::npos) << json.output;
+  EXPECT_EQ(run("explain --svg a.svg " + file.string()).output,
+            "graze: --svg: expected a query with a picture, got response\n");
+  std::ofstream(file) << R"({"query": "response", "a": {"mass": -1}})" << std::endl;
+  const Result refused = run("explain " + file.string());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.output.find("a.mass"), std::string::npos) << refused.output;
+  std::filesystem::remove(file);
+}
+
 TEST(Cli, ExplainRefusesWhatIsNoQuestion) {
   const std::string docs = std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes.jsonl";
   EXPECT_EQ(run("explain " + docs + " --line 99").code, 2);

@@ -1,7 +1,7 @@
 // Explanations: one query of the protocol answered with its trace, as text and as a picture.
 //
-// Guarantee: the answer is the ordinary one, bit by bit, and the explanation is made after it. Every query that the
-// protocol answers can be explained.
+// Guarantee: the answer is the ordinary one, bit by bit, and the explanation is made after it. Every query about shapes
+// that the protocol answers can be explained; the quantities of a `response` are in `explained_line`.
 #pragma once
 
 #include <optional>
