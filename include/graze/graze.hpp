@@ -1,6 +1,7 @@
 // All of Graze's core in one include: everything but the libraries beside it (`graze/io/`, `graze/tbb_executor.hpp`).
 #pragma once
 
+#include "graze/angles.hpp"
 #include "graze/batch.hpp"
 #include "graze/batch_contacts.hpp"
 #include "graze/batch_raycast.hpp"
@@ -34,7 +35,11 @@
 #include "graze/plane/contact_motion.hpp"
 #include "graze/plane/feature_corners.hpp"
 #include "graze/plane/mass.hpp"
+#include "graze/plane/proximity.hpp"
 #include "graze/plane/simulation.hpp"
+#include "graze/plane/slide.hpp"
+#include "graze/plane/support.hpp"
+#include "graze/plane/swept.hpp"
 #include "graze/plane/world.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"

@@ -1,7 +1,9 @@
 #include "graze/plane/query.hpp"
 
+#include <cmath>
 #include <limits>
 
+#include "graze/plane/proximity.hpp"
 #include "plane/explain.hpp"
 #include "plane/joined.hpp"
 #include "plane/leaves.hpp"
@@ -57,12 +59,13 @@ Distance<T> narrowed(const Distance<double>& d) {
           static_cast<T>(d.error)};
 }
 
-/// The smallest distance over all pairs. With a trace, explains the pair that has it.
+/// The smallest distance over all pairs, of those that are less than `below` apart; else that distance and no more.
+/// With a trace, explains the pair that has it.
 template <class T>
 Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
-                          Trace* trace) {
+                          Trace* trace, double below = std::numeric_limits<double>::infinity()) {
   Distance<double> best;
-  best.distance = std::numeric_limits<double>::infinity();
+  best.distance = below;
   const auto within = [&] { return best.distance; };
   for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
     if (pair.apart() >= best.distance) return;
@@ -233,6 +236,52 @@ Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& p
   return {d.distance, d.a, d.normal, d.status, d.error};
 }
 
+namespace {
+
+/// What is no further apart than `limit` once its distance is rounded to T is nearer than this.
+template <class T>
+double just_above(T limit) {
+  return double(std::nextafter(limit, std::numeric_limits<T>::infinity()));
+}
+
+}  // namespace
+
+template <class T>
+bool within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T limit) {
+  if (Distance<T> special; special_distance(a, pose_a, b, pose_b, special)) return special.distance <= limit;
+  bool found = false;
+  const auto reach = [above = just_above(limit)] { return above; };
+  for_each_pair_within(a, pose_a, b, pose_b, reach, [&](const LeafPair<T>& pair) {
+    found = found || (pair.apart() <= reach() && static_cast<T>(pair_distance(pair).distance) <= limit);
+  });
+  return found;
+}
+
+template <class T>
+std::optional<Distance<T>> distance_up_to(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                          const Pose2<T>& pose_b, T limit) {
+  Distance<T> d;
+  if (!special_distance(a, pose_a, b, pose_b, d))
+    d = narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr, just_above(limit)));
+  if (d.distance > limit) return {};
+  return d;
+}
+
+template <class T>
+void near_pieces(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
+                 std::vector<PieceDistance<T>>& pieces) {
+  if (Distance<T> special; special_distance(a, pose_a, b, pose_b, special)) {
+    if (special.distance <= margin) pieces.push_back({0, 0, special});
+    return;
+  }
+  const auto reach = [above = just_above(margin)] { return above; };
+  for_each_pair_within(a, pose_a, b, pose_b, reach, [&](const LeafPair<T>& pair) {
+    if (pair.apart() > reach()) return;
+    const Distance<T> d = narrowed<T>(pair_distance(pair));
+    if (d.distance <= margin) pieces.push_back({pair.piece_a, pair.piece_b, d});
+  });
+}
+
 #define GRAZE_PLANE_QUERIES(T)                                                                                         \
   template bool overlap(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, Trace*);                   \
   template Distance<T> distance(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, Trace*);           \
@@ -240,7 +289,12 @@ Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& p
                          Trace*);                                                                                      \
   template void reduce(Manifold<T>&, std::size_t);                                                                     \
   template T contact_margin(const Shape<T>&, const Shape<T>&);                                                         \
-  template Closest<T> closest(const Shape<T>&, const Pose2<T>&, const Vec2<T>&, Trace*);
+  template Closest<T> closest(const Shape<T>&, const Pose2<T>&, const Vec2<T>&, Trace*);                               \
+  template bool within(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, T);                         \
+  template std::optional<Distance<T>> distance_up_to(const Shape<T>&, const Pose2<T>&, const Shape<T>&,                \
+                                                     const Pose2<T>&, T);                                              \
+  template void near_pieces(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, T,                     \
+                            std::vector<PieceDistance<T>>&);
 GRAZE_PLANE_QUERIES(float)
 GRAZE_PLANE_QUERIES(double)
 #undef GRAZE_PLANE_QUERIES
