@@ -13,58 +13,70 @@ std::string counted(std::size_t count, const char* one, const char* more) {
   return fmt::format("{} {}", count, count == 1 ? one : more);
 }
 
-std::string vector_text(const Vec3d& v) {
-  return fmt::format("{:9.5g} {:9.5g} {:9.5g}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
-}
+/// Vectors as columns of a table, of two numbers in the plane and of three in space.
+class Columns {
+ public:
+  explicit Columns(const Explanation& e) : flat_(e.dimension == 2) {}
 
-std::string axes_text(const Explanation& e) {
+  std::string operator()(const Vec3d& v) const {
+    if (flat_) return fmt::format("{:10.5g} {:11.5g}", v.x + 0.0, v.y + 0.0);
+    return fmt::format("{:9.5g} {:9.5g} {:9.5g}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+  }
+  /// As wide as the columns are.
+  std::string head(const char* words) const { return fmt::format("{:^{}}", words, flat_ ? 22 : 29); }
+
+ private:
+  bool flat_;
+};
+
+std::string axes_text(const Explanation& e, const Columns& columns) {
   if (e.trace.axes.empty()) return "";
   std::size_t width = 6;
   for (const TraceAxis& axis : e.trace.axes) width = std::max(width, axis.name.size());
-  std::string out = fmt::format("\n  {:<{}}  {:^29}  {:^21}  {:^21}  {:>10}\n", "axis", width, "direction, from A to B",
-                                "A covers", "B covers", "overlap");
+  std::string out = fmt::format("\n  {:<{}}  {}  {:^21}  {:^21}  {:>10}\n", "axis", width,
+                                columns.head("direction, from A to B"), "A covers", "B covers", "overlap");
   for (const TraceAxis& axis : e.trace.axes)
     out += fmt::format("{} {:<{}}  {}  {:>10.5g} {:>10.5g}  {:>10.5g} {:>10.5g}  {:>10.5g}\n",
-                       axis.name == e.trace.winner ? '>' : ' ', axis.name, width, vector_text(axis.direction),
-                       axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper, axis.overlap());
+                       axis.name == e.trace.winner ? '>' : ' ', axis.name, width, columns(axis.direction), axis.a_lower,
+                       axis.a_upper, axis.b_lower, axis.b_upper, axis.overlap());
   return out;
 }
 
-std::string steps_text(const Trace& trace) {
+std::string steps_text(const Trace& trace, const Columns& columns) {
   std::string out;
   if (!trace.gjk.empty()) {
-    out += fmt::format("\n  {:>3}  {:>7}  {:^29}  {:>12} {:>12}\n", "GJK", "simplex", "direction, from A to B",
-                       "at least", "at most");
+    out += fmt::format("\n  {:>3}  {:>7}  {}  {:>12} {:>12}\n", "GJK", "simplex",
+                       columns.head("direction, from A to B"), "at least", "at most");
     int step = 0;
     for (const TraceGjk& s : trace.gjk)
-      out += fmt::format("  {:>3}  {:>7}  {}  {:>12.6g} {:>12.6g}\n", ++step, s.simplex.size(),
-                         vector_text(s.direction), s.lower, s.upper);
+      out += fmt::format("  {:>3}  {:>7}  {}  {:>12.6g} {:>12.6g}\n", ++step, s.simplex.size(), columns(s.direction),
+                         s.lower, s.upper);
   }
   if (!trace.epa.empty()) {
-    out += fmt::format("\n  {:>3}  {:>7}  {:^29}  {:>12} {:>12}\n", "EPA", "facets", "normal, from A to B",
+    out += fmt::format("\n  {:>3}  {:>7}  {}  {:>12} {:>12}\n", "EPA", "facets", columns.head("normal, from A to B"),
                        "depth >=", "depth <=");
     int step = 0;
     for (const TraceEpa& s : trace.epa)
-      out += fmt::format("  {:>3}  {:>7}  {}  {:>12.6g} {:>12.6g}\n", ++step, s.faces, vector_text(s.normal),
-                         s.face_depth, s.found_depth);
+      out += fmt::format("  {:>3}  {:>7}  {}  {:>12.6g} {:>12.6g}\n", ++step, s.faces, columns(s.normal), s.face_depth,
+                         s.found_depth);
   }
   return out;
 }
 
-std::string cuts_text(const Trace& trace) {
+std::string cuts_text(const Trace& trace, const Columns& columns) {
   if (trace.cuts.empty()) return "";
-  std::string out = fmt::format("\n  {:>3}  {:^29}  {:^29}  {:>7}\n", "cut", "along the side from", "to", "corners");
+  std::string out = fmt::format("\n  {:>3}  {}  {}  {:>7}\n", "cut", columns.head("along the side from"),
+                                columns.head("to"), "corners");
   int number = 0;
   for (const TraceCut& cut : trace.cuts)
-    out +=
-        fmt::format("  {:>3}  {}  {}  {:>7}\n", ++number, vector_text(cut.from), vector_text(cut.to), cut.left.size());
+    out += fmt::format("  {:>3}  {}  {}  {:>7}\n", ++number, columns(cut.from), columns(cut.to), cut.left.size());
   return out;
 }
 
 /// A number of a table, or the words for one that is none.
 std::string end_text(double t) { return std::isfinite(t) ? fmt::format("{:.6g}", t) : t < 0 ? "always" : "never"; }
 
-std::string ray_text(const Trace& trace) {
+std::string ray_text(const Trace& trace, const Columns& columns) {
   std::string out;
   if (trace.nodes + trace.pieces > 0)
     out += fmt::format("  visited   {} of the tree and {} of the composite\n", counted(trace.nodes, "node", "nodes"),
@@ -72,20 +84,19 @@ std::string ray_text(const Trace& trace) {
   if (!trace.spans.empty()) {
     std::size_t width = 6;
     for (const TraceSpan& span : trace.spans) width = std::max(width, span.name.size());
-    out += fmt::format("\n  {:<{}}  {:^29}  {:>12} {:>12}\n", "span", width, "normal", "enters", "leaves");
+    out += fmt::format("\n  {:<{}}  {}  {:>12} {:>12}\n", "span", width, columns.head("normal"), "enters", "leaves");
     for (const TraceSpan& span : trace.spans) {
       const bool met = span.enter <= span.leave;
-      out += fmt::format("{} {:<{}}  {:^29}  {:>12} {:>12}\n", span.name == trace.winner ? '>' : ' ', span.name, width,
-                         span.normal == Vec3d{} ? "" : vector_text(span.normal), met ? end_text(span.enter) : "never",
-                         met ? end_text(span.leave) : "");
+      out += fmt::format("{} {:<{}}  {}  {:>12} {:>12}\n", span.name == trace.winner ? '>' : ' ', span.name, width,
+                         span.normal == Vec3d{} ? columns.head("") : columns(span.normal),
+                         met ? end_text(span.enter) : "never", met ? end_text(span.leave) : "");
     }
   }
   if (!trace.steps.empty()) {
-    out += fmt::format("\n  {:>4}  {:>14}  {:>12}  {:^29}\n", "step", "t", "distance", "normal, from A");
+    out += fmt::format("\n  {:>4}  {:>14}  {:>12}  {}\n", "step", "t", "distance", columns.head("normal, from A"));
     int number = 0;
     for (const TraceStep& step : trace.steps)
-      out +=
-          fmt::format("  {:>4}  {:>14.9g}  {:>12.5g}  {}\n", ++number, step.t, step.distance, vector_text(step.normal));
+      out += fmt::format("  {:>4}  {:>14.9g}  {:>12.5g}  {}\n", ++number, step.t, step.distance, columns(step.normal));
   }
   return out;
 }
@@ -131,13 +142,13 @@ std::string feature_of(const plane::Shaped& shape, std::uint32_t half) {
   return plain_feature(half);
 }
 
-std::string contacts_text(const Explanation& e) {
+std::string contacts_text(const Explanation& e, const Columns& columns) {
   std::string out;
   for (const Manifold<double>& m : e.manifolds) {
-    out += fmt::format("  normal    {}\n\n  {:^29}  {:^29}  {:>10}  {:<8}\n", vector_text(m.normal), "on A", "on B",
-                       "distance", "id");
+    out += fmt::format("  normal    {}\n\n  {}  {}  {:>10}  {:<8}\n", columns(m.normal), columns.head("on A"),
+                       columns.head("on B"), "distance", "id");
     for (const ContactPoint<double>& p : m.points)
-      out += fmt::format("  {}  {}  {:>10.5g}  {:08x}  {}\n", vector_text(p.a), vector_text(p.b), p.distance, p.feature,
+      out += fmt::format("  {}  {}  {:>10.5g}  {:08x}  {}\n", columns(p.a), columns(p.b), p.distance, p.feature,
                          feature_text(p.feature, e));
   }
   return out;
@@ -172,7 +183,8 @@ std::string outcome_text(const Explanation& e) {
 
 std::string explanation_text(const Explanation& e) {
   std::string out = e.query + ": " + outcome_text(e) + "\n";
-  const auto line = [&](const char* name, const Vec3d& v) { out += fmt::format("  {:<9} {}\n", name, vector_text(v)); };
+  const Columns columns(e);
+  const auto line = [&](const char* name, const Vec3d& v) { out += fmt::format("  {:<9} {}\n", name, columns(v)); };
   if (e.distance) {
     out += fmt::format("  {}  {:.9g}\n", e.distance->distance <= 0 ? "depth   " : "distance",
                        std::abs(e.distance->distance));
@@ -182,10 +194,11 @@ std::string explanation_text(const Explanation& e) {
   }
   if (e.ray && e.ray->hit) line("point", e.ray->hit->point), line("normal", e.ray->hit->normal);
   if (e.cast && e.cast->hit) line("point", e.cast->hit->point), line("normal", e.cast->hit->normal);
-  out += contacts_text(e);
+  out += contacts_text(e, columns);
   out += fmt::format("\n  method    {}\n", e.trace.method);
   if (!e.trace.reason.empty()) out += fmt::format("  because   {}\n", e.trace.reason);
-  return out + ray_text(e.trace) + axes_text(e) + cuts_text(e.trace) + steps_text(e.trace);
+  return out + ray_text(e.trace, columns) + axes_text(e, columns) + cuts_text(e.trace, columns) +
+         steps_text(e.trace, columns);
 }
 
 }  // namespace graze::io

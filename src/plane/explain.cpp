@@ -35,7 +35,7 @@ void add_axis(const LeafPair<T>& pair, std::string name, const Vec2d& direction,
 }
 
 /// The normals of a core's edges, each turned so that the shapes overlap less along it. A box has the two axes of its
-/// frame, whose names they bear.
+/// frame, whose names they bear; a piece has those of the outline, by their numbers there, as in contacts.
 template <class T>
 void add_edges(const LeafPair<T>& pair, const Core<T>& core, const Pose2d& pose, bool box, const std::string& letter,
                Trace& trace) {
@@ -53,7 +53,7 @@ void add_edges(const LeafPair<T>& pair, const Core<T>& core, const Pose2d& pose,
   };
   if (core.kind == CoreKind::half_plane) return add(letter + " edge 0", {0, 1}, false);
   if (core.kind != CoreKind::polygon) return;
-  if (box) {
+  if (box && !core.outline) {
     add(letter + "0", {1, 0}, true);
     add(letter + "1", {0, 1}, true);
     return;
@@ -62,15 +62,15 @@ void add_edges(const LeafPair<T>& pair, const Core<T>& core, const Pose2d& pose,
   if (core.count == 2) {
     const Vec2d e = core.edge(0);
     if (length(e) > 0) {
-      add(letter + " edge 0", normalized(right(e)), true);
+      add(letter + " edge " + std::to_string(core.outline ? core.outline[0].number : 0), normalized(right(e)), true);
       add(letter + " along", normalized(e), true);
     }
     return;
   }
   if (core.count < 3) return;
   for (std::uint32_t i = 0; i < core.count; ++i)
-    if (const Vec2d e = core.edge(i); length(e) > 0)
-      add(letter + " edge " + std::to_string(i), normalized(right(e)), false);
+    if (const Vec2d e = core.edge(i); length(e) > 0 && !(core.outline && !core.outline[i].outer))
+      add(letter + " edge " + std::to_string(core.outline ? core.outline[i].number : i), normalized(right(e)), false);
 }
 
 template <class T>

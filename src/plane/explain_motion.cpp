@@ -21,6 +21,12 @@ void add_span(std::string name, const Vec2d& normal, double enter, double leave,
   trace.spans.push_back({std::move(name), {n.x, n.y, 0}, enter, leave});
 }
 
+/// The number of a vertex and of the edge that begins there; for a piece those on the outline, as in contacts.
+template <class T>
+std::string numbered(const Core<T>& core, std::uint32_t i) {
+  return std::to_string(core.outline ? core.outline[i].number : i);
+}
+
 /// Adds the span of the half-plane below the line with outward normal `n` through `on`.
 void add_half_plane(const std::string& name, const Vec2d& n, const Vec2d& on, const OwnRay& ray, const Pose2d& pose,
                     Trace& trace) {
@@ -76,11 +82,11 @@ void add_spans(const Core<T>& core, const OwnRay& ray, const Pose2d& pose, Trace
   if (core.count > 2)
     for (std::uint32_t i = 0; i < core.count; ++i)
       if (const Vec2d e = core.edge(i); length_squared(e) > 0)
-        add_half_plane("edge " + std::to_string(i), normalized(right(e)),
-                       core.vertex(i) + normalized(right(e)) * core.radius, ray, pose, trace);
+        add_half_plane((core.outline && !core.outline[i].outer ? "cut from " : "edge ") + numbered(core, i),
+                       normalized(right(e)), core.vertex(i) + normalized(right(e)) * core.radius, ray, pose, trace);
   if (core.radius > 0)
     for (std::uint32_t i = 0; i < core.count; ++i)
-      add_disc((core.count == 2 ? "end " : "corner ") + std::to_string(i), core.vertex(i), core.radius, ray, pose,
+      add_disc((core.count == 2 ? "end " : "corner ") + numbered(core, i), core.vertex(i), core.radius, ray, pose,
                trace);
 }
 

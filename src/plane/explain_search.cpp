@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "graze/angles.hpp"
 #include "plane/difference.hpp"
 #include "plane/explain.hpp"
 
@@ -146,8 +147,8 @@ std::vector<TraceSupport> difference_outline(const LeafPair<T>& pair) {
     return out;
   }
   for (int i = 0; i < sampled_directions; ++i) {
-    const double angle = 6.283185307179586 * i / sampled_directions;
-    const TraceSupport p = support_of(pair, {std::cos(angle), std::sin(angle)}).shown();
+    const auto [cosine, sine] = cosine_sine(6.283185307179586 * i / sampled_directions);
+    const TraceSupport p = support_of(pair, {cosine, sine}).shown();
     if (out.empty() || !(out.back().a == p.a) || !(out.back().b == p.b)) out.push_back(p);
   }
   return out;
