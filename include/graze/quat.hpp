@@ -1,8 +1,9 @@
 // Unit quaternions: rotations of space.
 //
-// Guarantee: as `vec3.hpp`, except `from_axis_angle`, which calls the C library's sine and is meant for set-up only.
+// Guarantee: as `vec3.hpp`; the sine of `from_axis_angle` is that of `angles.hpp`.
 #pragma once
 
+#include "graze/angles.hpp"
 #include "graze/mat3.hpp"
 
 namespace graze {
@@ -17,9 +18,9 @@ struct Quat {
 
   /// The rotation by `angle` radians about the unit vector `axis`, right-handed.
   static Quat from_axis_angle(const Vec3<T>& axis, T angle) {
-    using std::cos, std::sin;
-    const Vec3<T> v = axis * sin(angle / T(2));
-    return {v.x, v.y, v.z, cos(angle / T(2))};
+    const CosineSine half = cosine_sine(static_cast<double>(angle) / 2);
+    const Vec3<T> v = axis * static_cast<T>(half.sine);
+    return {v.x, v.y, v.z, static_cast<T>(half.cosine)};
   }
 
   /// Hamilton's product: the rotation `b` followed by `a`.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/angles.hpp"
 #include "graze/tessellate.hpp"
 #include "plane/leaves.hpp"
 
@@ -40,14 +41,15 @@ std::vector<Vec2d> around(const Core<T>& core) {
   std::vector<At> points;
   for (int i = 0; i < arc_directions; ++i) {
     const double angle = 6.283185307179586 * (i + 0.5) / arc_directions - 3.141592653589793;
-    const Vec2d n{std::cos(angle), std::sin(angle)};
+    const CosineSine turn = cosine_sine(angle);
+    const Vec2d n{turn.cosine, turn.sine};
     points.push_back({angle, plane::support(core, n).point + n * core.radius});
   }
   if (core.kind == CoreKind::polygon && core.count > 1)
     for (std::uint32_t i = 0; i < core.count; ++i)
       if (const Vec2d e = core.edge(i); length_squared(e) > 0) {
         const Vec2d n = normalized(plane::right(e));
-        const double angle = std::atan2(n.y, n.x);
+        const double angle = angle_of(n.x, n.y);
         points.push_back({angle, core.vertex(i) + n * core.radius});
         points.push_back({angle, core.vertex(core.next(i)) + n * core.radius});
       }

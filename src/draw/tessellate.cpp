@@ -1,6 +1,9 @@
 #include "graze/tessellate.hpp"
 
 #include <cmath>
+#include <numbers>
+
+#include "graze/angles.hpp"
 
 namespace graze {
 
@@ -10,12 +13,12 @@ constexpr int meridians = 24, parallels = 11;
 
 /// Directions along meridians about Y, so that the rims of cylinders and cones are regular polygons.
 std::vector<Vec3d> globe() {
-  const double pi = std::acos(-1.0);
+  using std::numbers::pi;
   std::vector<Vec3d> out{{0, 1, 0}, {0, -1, 0}};
   for (int i = 1; i <= parallels; ++i)
     for (int k = 0; k < meridians; ++k) {
-      const double polar = pi * i / (parallels + 1), around = 2 * pi * k / meridians;
-      out.push_back({std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around)});
+      const CosineSine polar = cosine_sine(pi * i / (parallels + 1)), around = cosine_sine(2 * pi * k / meridians);
+      out.push_back({polar.sine * around.cosine, polar.cosine, polar.sine * around.sine});
     }
   return out;
 }

@@ -1,5 +1,7 @@
 #include "dynamics/contact_spring.hpp"
 
+#include <numbers>
+
 namespace graze {
 
 namespace {
@@ -18,13 +20,13 @@ constexpr T damping_ratio = T(2);
 
 template <class T>
 ContactStep<T> contact_step(const SubStep<T>& time, T gravity) {
-  const T w = T(2) * pi<T> / (period<T> * time.h);
+  const T w = T(2) * std::numbers::pi_v<T> / (period<T> * time.h);
   return {time, softness(w, damping_ratio<T>, time.h), gravity};
 }
 
 template <class T>
 T predicted_sink(T strain, T h) {
-  const T w = T(2) * pi<T> / (period<T> * h);
+  const T w = T(2) * std::numbers::pi_v<T> / (period<T> * h);
   return strain / (w * w);
 }
 

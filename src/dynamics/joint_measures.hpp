@@ -7,9 +7,10 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 
-#include "dynamics/angles.hpp"
 #include "dynamics/solver_body.hpp"
+#include "graze/angles.hpp"
 
 namespace graze {
 
@@ -91,7 +92,7 @@ struct JointFrames<T, Space<T>> {
   Row twist(std::size_t i) const {
     const Vec3<T> v = turn.vector();
     const T w = turn.w, d = w * w + v[i] * v[i];
-    if (!(d > T(0))) return about(a.column(i), pi<T>);
+    if (!(d > T(0))) return about(a.column(i), std::numbers::pi_v<T>);
     Vec3<T> e{};
     e[i] = T(1);
     return about(a * ((e * (w * w) + cross(v, e) * w + v * v[i]) / d), T(2) * angle_of(w, v[i]));

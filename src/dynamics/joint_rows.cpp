@@ -1,5 +1,6 @@
 // The rows of a joint: those of its locked axes, of bounds and of drives; and the impulses kept from step to step.
 #include <cmath>
+#include <numbers>
 
 #include "dynamics/joints.hpp"
 
@@ -78,7 +79,7 @@ void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row)
     return;
   }
   // A turn whose range is a whole one has no end.
-  if (row.what.measure == Measure::twist && limit.max - limit.min >= T(2) * pi<T>) return;
+  if (row.what.measure == Measure::twist && limit.max - limit.min >= T(2) * std::numbers::pi_v<T>) return;
   const Side sides[] = {Side::lower, Side::upper};
   const T bounds[] = {limit.min, limit.max};
   for (int i = 0; i < 2; ++i) {

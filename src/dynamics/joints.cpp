@@ -2,6 +2,7 @@
 #include "dynamics/joints.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace graze {
 
@@ -32,8 +33,8 @@ T part_of(T error, T drift) {
 /// An angle by whole turns as near to `about` as can be.
 template <class T>
 T nearest_turn(T angle, T about) {
-  if (angle - about > pi<T>) return angle - T(2) * pi<T>;
-  if (about - angle > pi<T>) return angle + T(2) * pi<T>;
+  if (angle - about > std::numbers::pi_v<T>) return angle - T(2) * std::numbers::pi_v<T>;
+  if (about - angle > std::numbers::pi_v<T>) return angle + T(2) * std::numbers::pi_v<T>;
   return angle;
 }
 
@@ -189,7 +190,8 @@ void JointRows<T, Space>::push_locked(const std::array<T, most_locked>& impulses
 
 template <class T, class Space>
 void JointRows<T, Space>::solve_loop(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
-  const Softness<T> spring = softness(T(2) * pi<T> * step_.inverse_h / loop_period<T>, loop_damping_ratio<T>, step_.h);
+  const Softness<T> spring =
+      softness(T(2) * std::numbers::pi_v<T> * step_.inverse_h / loop_period<T>, loop_damping_ratio<T>, step_.h);
   std::array<T, most_locked> rates{};
   for (std::size_t i = 0; i < locked_; ++i) {
     rates[i] = -rate_of(rows_[i].at, a, b);

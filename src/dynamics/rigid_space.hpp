@@ -4,8 +4,8 @@
 // Guarantee: free functions found by their arguments, of `graze` for three dimensions and of `graze::plane` for two.
 #pragma once
 
-#include "dynamics/angles.hpp"
 #include "dynamics/turning.hpp"
+#include "graze/angles.hpp"
 #include "graze/plane/rigid.hpp"
 #include "graze/rigid.hpp"
 #include "shape/reach.hpp"
@@ -61,7 +61,7 @@ Vec3<T> turning_between(const Quat<T>& from, const Quat<T>& to, T time) {
   Quat<T> turn = to * conjugate(from);
   if (turn.w < T(0)) turn = {-turn.x, -turn.y, -turn.z, -turn.w};
   const T sine = length(turn.vector());
-  const T per_sine = sine > T(0) ? T(2) * std::atan2(sine, turn.w) / sine : T(2);
+  const T per_sine = sine > T(0) ? T(2) * angle_of(turn.w, sine) / sine : T(2);
   return turn.vector() * (per_sine / time);
 }
 

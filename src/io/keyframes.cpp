@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "graze/angles.hpp"
+
 namespace graze::io {
 
 namespace {
@@ -65,9 +67,9 @@ Quatd sum(const Quatd& a, double s, const Quatd& b, double t) {
 Quatd slerp(const Quatd& a, Quatd b, double t) {
   const double cosine = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
   if (cosine < 0) b = {-b.x, -b.y, -b.z, -b.w};
-  const double angle = 2 * std::atan2(norm(sum(b, 1, a, -1)), norm(sum(b, 1, a, 1))), sine = std::sin(angle);
+  const double angle = 2 * angle_of(norm(sum(b, 1, a, 1)), norm(sum(b, 1, a, -1))), sine = cosine_sine(angle).sine;
   if (!(sine > 0)) return a;
-  return normalized(sum(a, std::sin(angle * (1 - t)) / sine, b, std::sin(angle * t) / sine));
+  return normalized(sum(a, cosine_sine(angle * (1 - t)).sine / sine, b, cosine_sine(angle * t).sine / sine));
 }
 
 }  // namespace

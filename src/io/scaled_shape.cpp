@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "graze/angles.hpp"
+
 namespace graze::io {
 
 namespace {
@@ -12,7 +14,8 @@ std::vector<Vec3d> directions(int count) {
   const double golden = 2.399963229728653;
   for (int i = 0; i < count; ++i) {
     const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y);
-    out.push_back({r * std::cos(golden * i), y, r * std::sin(golden * i)});
+    const CosineSine turn = cosine_sine(golden * i);
+    out.push_back({r * turn.cosine, y, r * turn.sine});
   }
   return out;
 }

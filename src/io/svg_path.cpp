@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "graze/angles.hpp"
 #include "graze/validate.hpp"
 #include "io/parsed_number.hpp"
 #include "io/text_lines.hpp"
@@ -70,8 +71,13 @@ class Scanner {
 constexpr double degree = 0.017453292519943295;
 
 Affine2 rotation(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [c, s] = cosine_sine(angle);
   return {{c, s}, {-s, c}, {}};
+}
+
+double tangent(double angle) {
+  const auto [cosine, sine] = cosine_sine(angle);
+  return sine / cosine;
 }
 
 /// A piece of a path, in the frame of the path; straight ones have no control points.
@@ -101,11 +107,11 @@ Curve arc_between(const Vec2d& from, const Vec2d& to, double rx, double ry, doub
   if (!std::isfinite(rest)) return straight;
   const Vec2d center = Vec2d{unit.y, -unit.x} * (large == positive ? -rest : rest);
   const Vec2d first = unit - center, last = -unit - center;
-  double sweep = std::atan2(cross(first, last), dot(first, last));
+  double sweep = angle_of(dot(first, last), cross(first, last));
   if (positive && sweep < 0) sweep += 360 * degree;
   if (!positive && sweep > 0) sweep -= 360 * degree;
   const Vec2d middle = (from + to) * 0.5 + turn.direction({center.x * rx, center.y * ry});
-  return {Curve::arc, {to, middle, turn.x * rx, turn.y * ry}, std::atan2(first.y, first.x), sweep};
+  return {Curve::arc, {to, middle, turn.x * rx, turn.y * ry}, angle_of(first.x, first.y), sweep};
 }
 
 /// Path data as curves with absolute points.
@@ -230,7 +236,8 @@ struct Mapped {
       const Affine2 circle = map * Affine2{c.p[2], c.p[3], c.p[1]};
       const double bend = stretches_of(circle).longer * c.sweep * c.sweep;
       return sample(bend, [&](double t) {
-        return t == 1 ? map(c.p[0]) : circle({std::cos(c.from + t * c.sweep), std::sin(c.from + t * c.sweep)});
+        const CosineSine at = cosine_sine(c.from + t * c.sweep);
+        return t == 1 ? map(c.p[0]) : circle({at.cosine, at.sine});
       });
     }
     const Vec2d a = map(from), b = map(c.p[0]), d = map(c.p[1]);
@@ -275,8 +282,9 @@ Stretches stretches_of(const Affine2& map) {
   Stretches out{q + r, std::abs(q - r), {1, 0}, false};
   constexpr double same = 1e-9;  // relative: far above the rounding of a few maps, far below what an eye sees
   out.similar = out.longer - out.shorter <= same * out.longer;
-  const double angle = out.similar ? std::atan2(map.x.y, map.x.x) : (std::atan2(g, f) + std::atan2(h, e)) / 2;
-  out.turn = {std::cos(angle), std::sin(angle)};
+  const double angle = out.similar ? angle_of(map.x.x, map.x.y) : (angle_of(f, g) + angle_of(e, h)) / 2;
+  const auto [cosine, sine] = cosine_sine(angle);
+  out.turn = {cosine, sine};
   return out;
 }
 
@@ -315,9 +323,9 @@ Affine2 read_transform(std::string_view text) {
       all = all * Affine2{{1, 0}, {0, 1}, {n[1], n[2]}} * rotation(n[0] * degree) *
             Affine2{{1, 0}, {0, 1}, {-n[1], -n[2]}};
     else if (name == "skewX" && count == 1)
-      all = all * Affine2{{1, 0}, {std::tan(n[0] * degree), 1}, {}};
+      all = all * Affine2{{1, 0}, {tangent(n[0] * degree), 1}, {}};
     else if (name == "skewY" && count == 1)
-      all = all * Affine2{{1, std::tan(n[0] * degree)}, {0, 1}, {}};
+      all = all * Affine2{{1, tangent(n[0] * degree)}, {0, 1}, {}};
     else
       in.fail("matrix(6 numbers), translate(1 or 2), scale(1 or 2), rotate(1 or 3), skewX(1) or skewY(1), before this");
   }

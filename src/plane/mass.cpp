@@ -1,13 +1,15 @@
 #include "graze/plane/mass.hpp"
 
-#include "plane/angles.hpp"
+#include <numbers>
+
+#include "graze/angles.hpp"
 #include "plane/leaves.hpp"
 
 namespace graze::plane {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Area, first moments and the polar second moment about the origin of the frame; those of a union are the sums of its
 /// parts'.
@@ -43,7 +45,7 @@ Moments sector(const Vec2d& corner, const Vec2d& middle, double angle, double ra
   if (!(angle > 0)) return {};
   const double area = angle * radius * radius / 2;
   // The centre of a sector, and its polar moment about the corner less what the centre's distance makes of it.
-  const double away = 4 * radius * rotation_of(angle / 2).sine / (3 * angle), own = area * radius * radius / 2;
+  const double away = 4 * radius * cosine_sine(angle / 2).sine / (3 * angle), own = area * radius * radius / 2;
   return at(corner + middle * away, area, own - area * away * away);
 }
 
@@ -54,7 +56,7 @@ Moments sampled(const Core<T>& core) {
   Moments out;
   Vec2d before{};
   for (int i = 0; i <= count; ++i) {
-    const Rot2d turn = rotation_of(2 * pi * (i % count) / count);
+    const CosineSine turn = cosine_sine(2 * pi * (i % count) / count);
     const Vec2d n{turn.cosine, turn.sine}, p = support(core, n).point + n * core.radius;
     if (i > 0) out += triangle(before, p);
     before = p;
@@ -85,7 +87,7 @@ Moments inside(const std::vector<Vec2d>& corners) {
 
 /// The rounding of a vertex between edges with the normals `before` and `after`.
 Moments rounded_corner(const Vec2d& corner, const Vec2d& before, const Vec2d& after, double radius) {
-  return sector(corner, normalized(before + after, left(before)), angle_of({dot(before, after), cross(before, after)}),
+  return sector(corner, normalized(before + after, left(before)), angle_of(dot(before, after), cross(before, after)),
                 radius);
 }
 
@@ -131,7 +133,7 @@ Moments of_tapered(const Core<T>& core) {
   Moments out;
   const Vec2d corners[] = {low, high, {0, h}, {-high.x, high.y}, {-low.x, low.y}, {0, -h}};
   for (std::size_t i = 0; i < 6; ++i) out += triangle(corners[i], corners[(i + 1) % 6]);
-  const double tilt = angle_of({c, s});
+  const double tilt = angle_of(c, s);
   out += sector({0, h}, {0, 1}, pi - 2 * tilt, top);
   out += sector({0, -h}, {0, -1}, pi + 2 * tilt, bottom);
   return out;

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "graze/plane/cast.hpp"
-#include "plane/angles.hpp"
 #include "plane/core.hpp"
 #include "plane/unit_rotation.hpp"
 
@@ -13,7 +12,7 @@ namespace graze::plane {
 
 inline Pose2d moved(const Pose2d& pose, const Velocity<double>& velocity, double t) {
   Pose2d out{pose.translation + velocity.linear * t, pose.rotation};
-  if (velocity.angular != 0) out.rotation = at_unit(rotation_of(velocity.angular * t) * pose.rotation);
+  if (velocity.angular != 0) out.rotation = at_unit(Rot2d::from_angle(velocity.angular * t) * pose.rotation);
   return out;
 }
 

@@ -6,13 +6,17 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
+#include "graze/angles.hpp"
 #include "graze/geometry.hpp"
 #include "graze/shape.hpp"
 
 namespace graze {
 
 namespace {
+
+using std::numbers::pi;
 
 /// Integrals of 1, x and x xT over a volume.
 struct Moments {
@@ -39,9 +43,9 @@ struct Gauss {
   std::array<double, count> at{}, weight{};
 
   Gauss() {
-    const double pi = std::acos(-1.0);
     for (std::size_t i = 0; i < count; ++i) {
-      double x = std::cos(pi * (static_cast<double>(i) + 0.75) / (static_cast<double>(count) + 0.5)), slope = 1;
+      double x = cosine_sine(pi * (static_cast<double>(i) + 0.75) / (static_cast<double>(count) + 0.5)).cosine,
+             slope = 1;
       for (int newton = 0; newton < 20; ++newton) {
         double p0 = 1, p1 = x;
         for (std::size_t k = 2; k <= count; ++k) {
@@ -70,12 +74,12 @@ void add_triangle(Moments& m, const Vec3d& a, const Vec3d& b, const Vec3d& c, co
 
 /// A strip of the cylinder of radius r about an edge, its normals from n1 to n2 (less than half a turn apart).
 void add_strip(Moments& m, const Vec3d& p, const Vec3d& q, const Vec3d& n1, const Vec3d& n2, double r) {
-  const double angle = std::atan2(length(cross(n1, n2)), dot(n1, n2));
+  const double angle = angle_of(dot(n1, n2), length(cross(n1, n2)));
   const Vec3d side = normalized(n2 - n1 * dot(n1, n2), Vec3d{});
   if (side == Vec3d{}) return;
   for (std::size_t i = 0; i < Gauss::count; ++i) {
-    const double t = angle * gauss().at[i];
-    const Vec3d n = n1 * std::cos(t) + side * std::sin(t);
+    const CosineSine t = cosine_sine(angle * gauss().at[i]);
+    const Vec3d n = n1 * t.cosine + side * t.sine;
     for (std::size_t k = 0; k < Gauss::count; ++k)
       m.add(p + (q - p) * gauss().at[k] + n * r, n, gauss().weight[i] * gauss().weight[k] * angle * r * length(q - p));
   }
@@ -156,8 +160,7 @@ void add_rounding(Moments& m, const HullData<T>& hull, double r) {
 /// A body of revolution about Y: the outline is two circles in the half-plane (x, y), about (c, -h) and (c, h), and
 /// what their common tangent spans. A capsule's circles are about the axis, a cylinder's about its rims.
 Moments revolved(double h, double c_bottom, double r_bottom, double c_top, double r_top) {
-  const double pi = std::acos(-1.0);
-  const double across = c_top - c_bottom, up = 2 * h, l = std::hypot(across, up), d = r_bottom - r_top;
+  const double across = c_top - c_bottom, up = 2 * h, l = std::sqrt(across * across + up * up), d = r_bottom - r_top;
   double sum0 = 0, sum1 = 0, sum_rr = 0, sum_yy = 0;
   const auto slice = [&](double y, double rho, double dy) {
     const double area = pi * rho * rho;
@@ -168,18 +171,19 @@ Moments revolved(double h, double c_bottom, double r_bottom, double c_top, doubl
   };
   const auto arc = [&](double c, double y, double r, double from, double to) {
     for (std::size_t i = 0; i < Gauss::count; ++i) {
-      const double t = from + (to - from) * gauss().at[i];
-      slice(y + r * std::sin(t), c + r * std::cos(t), r * std::cos(t) * (to - from) * gauss().weight[i]);
+      const CosineSine t = cosine_sine(from + (to - from) * gauss().at[i]);
+      slice(y + r * t.sine, c + r * t.cosine, r * t.cosine * (to - from) * gauss().weight[i]);
     }
   };
   if (l <= std::abs(d)) {  // one circle holds the other
     d > 0 ? arc(c_bottom, -h, r_bottom, -pi / 2, pi / 2) : arc(c_top, h, r_top, -pi / 2, pi / 2);
   } else {
-    const double lean = std::atan2(up, across) - std::acos(d / l);
+    const double lean = angle_of(across, up) - angle_of(d, std::sqrt((l - d) * (l + d)));
+    const auto [cosine, sine] = cosine_sine(lean);
     arc(c_bottom, -h, r_bottom, -pi / 2, lean);
     arc(c_top, h, r_top, lean, pi / 2);
-    const double y0 = -h + r_bottom * std::sin(lean), y1 = h + r_top * std::sin(lean);
-    const double x0 = c_bottom + r_bottom * std::cos(lean), x1 = c_top + r_top * std::cos(lean);
+    const double y0 = -h + r_bottom * sine, y1 = h + r_top * sine;
+    const double x0 = c_bottom + r_bottom * cosine, x1 = c_top + r_top * cosine;
     for (std::size_t i = 0; i < Gauss::count; ++i)
       slice(y0 + (y1 - y0) * gauss().at[i], x0 + (x1 - x0) * gauss().at[i], (y1 - y0) * gauss().weight[i]);
   }
@@ -230,8 +234,9 @@ Moments hull_of_supports(const Shape<T>& shape, int count) {
   std::vector<Vec3d> points;
   points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y), turn = 2.399963229728653 * i;
-    points.push_back(converted<double>(support(shape, converted<T>(Vec3d{r * std::cos(turn), y, r * std::sin(turn)}))));
+    const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y);
+    const CosineSine turn = cosine_sine(2.399963229728653 * i);
+    points.push_back(converted<double>(support(shape, converted<T>(Vec3d{r * turn.cosine, y, r * turn.sine}))));
   }
   return of_points(points, 0);
 }
@@ -283,7 +288,7 @@ template <class T>
 Moments of(const Ellipsoid<T>& e, double margin) {
   const Vec3d r = converted<double>(e.radii());
   if (margin > 0) return sampled(Shape<double>(Ellipsoid<double>(r), margin));
-  const double volume = 4 * std::acos(-1.0) / 3 * r.x * r.y * r.z;
+  const double volume = 4 * pi / 3 * r.x * r.y * r.z;
   return {volume, {}, Mat3d::diagonal(scaled(r, r)) * (volume / 5)};
 }
 template <class T>

@@ -1,5 +1,6 @@
 # The names that SHARED exports and STATIC does not hide: the functions of graze.h, all of them, and what bears GRAZE_API
-# in a public header of C++. In the static library the standard library's templates stand beside them, as in any object.
+# in a public header of C++; and what STATIC takes of the C library's functions of real numbers. In the static library
+# the standard library's templates stand beside its own, as in any object.
 cmake_minimum_required(VERSION 3.22)
 
 # What public headers mark, as one text of declarations.
@@ -81,3 +82,15 @@ execute_process(
   OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" symbols "${symbols}")
 check("${STATIC}" "${symbols}" "^_Z(GV|T[VIST])?Z?N?K?(S[a-z]|9__gnu_cxx)|^DW\\.ref\\.__gxx")
+
+# The same bits on every machine: sines and powers differ from one C library to the next, of which IEEE 754 promises the
+# square root alone. `graze/angles.hpp` has what is needed.
+execute_process(COMMAND "${NM}" --undefined-only --format=just-symbols "${STATIC}" OUTPUT_VARIABLE symbols
+                        COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" symbols "${symbols}")
+list(REMOVE_DUPLICATES symbols)
+list(FILTER symbols INCLUDE REGEX
+     "^a?(sin|cos|tan)h?[fl]?$|^(sincos|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|hypot|cbrt|fma)[fl]?$")
+if(symbols)
+  message(FATAL_ERROR "${STATIC} takes from the C library, whose bits may differ: ${symbols}")
+endif()

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "graze/simulation.hpp"
@@ -256,12 +257,12 @@ TEST(JointSystem, RingsHold) {
   for (const double heavy : {1.0, 100.0}) {
     Hanging h;
     const std::size_t links = 8;
-    const double radius = 0.2 * static_cast<double>(links) / (2 * pi<double>);
+    const double radius = 0.2 * static_cast<double>(links) / (2 * std::numbers::pi);
     for (std::size_t i = 0; i < links; ++i) {
-      const double angle = 2 * pi<double> * static_cast<double>(i) / static_cast<double>(links);
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(links);
       h.add({0.2, i == links / 2 ? 0.05 * heavy : 0.05, 0.05},
             {{radius * std::cos(angle), radius * std::sin(angle), 0},
-             Quatd::from_axis_angle({0, 0, 1}, angle + pi<double> / 2)});
+             Quatd::from_axis_angle({0, 0, 1}, angle + std::numbers::pi / 2)});
     }
     for (std::size_t i = 0; i < links; ++i)
       h.simulation.add(ball_joint(h.bodies[i], At{{0.1, 0, 0}, {}}, h.bodies[(i + 1) % links], At{{-0.1, 0, 0}, {}}));

@@ -37,8 +37,8 @@ T rotational_energy(const FreeBody<T>& body) {
   return body.angular_momentum * angular_velocity(body) / T(2);
 }
 
-/// The rotation by `angle` radians in + - * / and sqrt alone, unlike `Rot2::from_angle`. An angle that is not finite
-/// gives the identity. Costs a product for each power of two in the angle.
+/// The rotation by `angle` radians as steps of a simulation turn bodies, in `T`, where `Rot2::from_angle` computes in
+/// double. An angle that is not finite gives the identity. Costs a product for each power of two in the angle.
 template <class T>
 GRAZE_API Rot2<T> rotation_by(T angle);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/angles.hpp"
 #include "graze/plane/vec2.hpp"
 
 namespace graze::plane {
@@ -17,10 +18,10 @@ template <class T>
 struct Rot2 {
   T cosine{T(1)}, sine{};  ///< cosine and sine of the angle
 
-  /// The rotation by `angle` radians. Calls the C library's sine and cosine, and is meant for set-up only.
+  /// The rotation by `angle` radians; an angle that is not finite gives the identity.
   static Rot2 from_angle(T angle) {
-    using std::cos, std::sin;
-    return {cos(angle), sin(angle)};
+    const CosineSine turn = cosine_sine(static_cast<double>(angle));
+    return {static_cast<T>(turn.cosine), static_cast<T>(turn.sine)};
   }
   /// The product of rotations: first `b`, then `a`.
   friend constexpr Rot2 operator*(const Rot2& a, const Rot2& b) {
