@@ -23,7 +23,7 @@ inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
 inline constexpr std::uint64_t golden_plane_bits<float> = 7858335795465945871u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 16204956148681747804u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 2961899745594228065u;
 
 }  // namespace graze::testing
 

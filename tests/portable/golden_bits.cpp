@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "common/long_run.hpp"
+#include "common/moving_run.hpp"
 #include "common/plane_run.hpp"
 
 namespace {
@@ -15,17 +16,18 @@ bool golden(const char* name, std::uint64_t found, std::uint64_t expected) {
 }
 
 template <class T>
-bool golden(const char* scalar, const char* in_the_plane) {
+bool golden(const char* scalar, const char* moving, const char* in_the_plane) {
   using namespace graze::testing;
   const bool space = golden(scalar, hash_of_a_long_run<T>(), golden_bits<T>);
+  const bool moves = golden(moving, hash_of_a_moving_run<T>(), golden_moving_bits<T>);
   const bool plane = golden(in_the_plane, hash_of_a_plane_run<T>(), golden_plane_bits<T>);
-  return space && plane;
+  return space && moves && plane;
 }
 
 }  // namespace
 
 int main() {
-  const bool in_float = golden<float>("float", "float, the plane"),
-             in_double = golden<double>("double", "double, the plane");
+  const bool in_float = golden<float>("float", "float, moving", "float, the plane"),
+             in_double = golden<double>("double", "double, moving", "double, the plane");
   return in_float && in_double ? 0 : 1;
 }
