@@ -35,7 +35,7 @@ void add_axis(const LeafPair<T>& pair, std::string name, const Vec2d& direction,
 }
 
 /// The normals of a core's edges, each turned so that the shapes overlap less along it. A box has the two axes of its
-/// frame, whose names they bear; a piece has those of the outline, by their numbers there, as in contacts.
+/// frame, whose names they bear; a piece has those of the outline, by their numbers there, and a chain its segment.
 template <class T>
 void add_edges(const LeafPair<T>& pair, const Core<T>& core, const Pose2d& pose, bool box, const std::string& letter,
                Trace& trace) {
