@@ -245,6 +245,43 @@ Vec3<T> place_on_solid(const LeafInContext<T>& self, const LeafInContext<T>& oth
   return dot(of_points - nearest, contact.outward) > own_noise(self, nearest) ? of_points : nearest;
 }
 
+/// How far apart two pieces are along a normal that leads out of one; negative is a depth.
+template <class T>
+T apart_along(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& outward) {
+  return dot(furthest(other.piece, other.pose, -outward) - furthest(self.piece, self.pose, outward), outward);
+}
+
+/// The normal of the face of a piece that leans least from a direction; zero where it has none there.
+template <class T>
+Vec3<T> leaning_least(const LeafInContext<T>& self, const Vec3<T>& outward) {
+  Face<T> face;
+  const Vec3<T> local = rotate(conjugate(self.pose.rotation), outward);
+  self.piece.visit([&](const auto& c) {
+    if constexpr (requires { c.core_face(local, face, T()); })
+      c.core_face(local, face, side_lean<T>);
+    else if constexpr (requires { c.core_face(local, face); })
+      c.core_face(local, face);
+  });
+  Vec3<T> sum{};
+  for (std::size_t i = 2; i < face.vertices.size(); ++i)
+    sum += cross(face.vertices[i - 1] - face.vertices[0], face.vertices[i] - face.vertices[0]);
+  return rotate(self.pose.rotation, normalized(sum, Vec3<T>{}));
+}
+
+/// The correction of a solid's normal that leaves the Voronoi region of its feature where no neighbour has one: that of
+/// a face of its own which leans least from the normal, or from the way to the middle of the other shape, and above
+/// which nothing rises. Without one the contact is a neighbour's.
+template <class T>
+Correction<T> own_face(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& point,
+                       const Vec3<T>& outward) {
+  const Vec3<T> to_middle = normalized(middle_of(other) - point, outward);
+  for (const Vec3<T>& direction : {outward, to_middle}) {
+    const Vec3<T> own = leaning_least(self, direction);
+    if (own != Vec3<T>{} && !riser_around(self, point, own, Among::all)) return {own};
+  }
+  return {outward, {}, true};
+}
+
 /// What is in place of a contact's normal if this is none of the surface's.
 template <class T>
 std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafInContext<T>& other,
@@ -272,38 +309,17 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
     const bool stands = face_along(self, outward, standing_lean<T>) != Vec3<T>{};
     if (neighbour && (of_other || (!stands && is_on_ridge(self, other, point))))
       return Correction<T>{outward, {}, true};
-    if (neighbour)
-      return triangle ? along_face(self, *triangle, other, point)
-                      : as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
+    if (neighbour && triangle) return along_face(self, *triangle, other, point);
+    if (neighbour) {
+      const auto normal = normal_of_surface(self, *neighbour, other, point, outward, margin);
+      return normal ? as_correction(normal) : own_face(self, other, point, outward);
+    }
   }
   if (open) return std::nullopt;
   if (is_of_lone_surface(self))
     return is_covered(self, point, outward, other) ? std::optional(Correction<T>{outward, {}, true}) : std::nullopt;
   const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
   return as_correction(over ? std::optional(over->normal) : std::nullopt);
-}
-
-/// How far apart two pieces are along a normal that leads out of one; negative is a depth.
-template <class T>
-T apart_along(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& outward) {
-  return dot(furthest(other.piece, other.pose, -outward) - furthest(self.piece, self.pose, outward), outward);
-}
-
-/// The normal of the face of a piece that leans least from a direction; zero where it has none there.
-template <class T>
-Vec3<T> leaning_least(const LeafInContext<T>& self, const Vec3<T>& outward) {
-  Face<T> face;
-  const Vec3<T> local = rotate(conjugate(self.pose.rotation), outward);
-  self.piece.visit([&](const auto& c) {
-    if constexpr (requires { c.core_face(local, face, T()); })
-      c.core_face(local, face, side_lean<T>);
-    else if constexpr (requires { c.core_face(local, face); })
-      c.core_face(local, face);
-  });
-  Vec3<T> sum{};
-  for (std::size_t i = 2; i < face.vertices.size(); ++i)
-    sum += cross(face.vertices[i - 1] - face.vertices[0], face.vertices[i] - face.vertices[0]);
-  return rotate(self.pose.rotation, normalized(sum, Vec3<T>{}));
 }
 
 /// Whether the contact of a mover's triangle is that of the triangles beside it: its own face stands across the refused
@@ -351,6 +367,22 @@ bool is_of_another_piece(const LeafInContext<T>& self, const LeafInContext<T>& o
          (right.unless_covered && !laid.points.empty() && is_covered(self, *right.unless_covered, right.normal, other));
 }
 
+/// Whether a piece has a surface around it that a contact with the other can be a ghost of.
+template <class T>
+bool is_settled(const LeafInContext<T>& self, const LeafInContext<T>& other) {
+  return !(self.whole.convex() && self.beside.empty()) && !is_ground(self.piece) && may_lie(other);
+}
+
+/// Whether a contact that has been laid along a normal of the other surface has one of the piece's surface no longer:
+/// something rises above the plane through it, be it the piece itself, or covers it.
+template <class T>
+bool refuses(const LeafInContext<T>& self, const LeafInContext<T>& other, bool of_a, const Manifold<T>& manifold) {
+  const Vec3<T> outward = of_a ? manifold.normal : -manifold.normal;
+  const Vec3<T> point = standing_point<T>(manifold.points, of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
+  if (face_along(self, outward) == Vec3<T>{} && riser_around(self, point, outward, Among::all)) return true;
+  return !lies_open(self, outward) && surface_over(self, point, outward, other);
+}
+
 }  // namespace
 
 template <class T>
@@ -360,8 +392,8 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
   Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
-    if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || is_ground(self.piece) || !may_lie(other))
-      continue;
+    if (!is_settled(self, other) || now.points.empty()) continue;
+    const Manifold<T> before = now;
     const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
     const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
     Manifold<T> found;
@@ -393,6 +425,10 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
         now = corner;
       else
         settled.instead = found;
+    }
+    if (!of_a && right && is_settled(a, b) && !now.points.empty() && refuses(a, b, true, now)) {
+      settled.instead = before;
+      now = between_same_pieces(now);
     }
   }
   return settled;
