@@ -70,6 +70,7 @@ struct TouchingPieces {
   FlatFaces<T> faces{a, b, margin};
   T least_distance = std::numeric_limits<T>::infinity();
   Manifold<T> instead = {};                ///< the last resort, where nothing else is left
+  bool instead_is_ghost = false;           ///< its normal is none of the surface's
   std::optional<NearGhost<T>> ghost = {};  ///< the last resort, if it is still to be laid along the surface
 
   void operator()(const Part<T>& pa, const Part<T>& pb) {
@@ -93,8 +94,9 @@ struct TouchingPieces {
     visit_run_contacts(run, margin, touching, alone);
   }
 
-  /// Adds the point without which what touches would have none.
+  /// Adds the point without which what touches would have none. Of what is only near, every contact is another body's.
   void add_last_resort() {
+    if (least_distance > T(0)) return;
     if (ghost) {
       const Part<T>& whole = ghost->surface_is_a ? a : b;
       Corners<T> corners;
@@ -136,13 +138,14 @@ struct TouchingPieces {
   struct Taken {
     bool behind;  ///< it leads from the back of a surface that pushes outward
     Manifold<T> manifold, instead;
+    bool instead_is_ghost;
   };
   Taken settled(const Part<T>& pa, const Part<T>& pb, T distance, const Manifold<T>& manifold) const {
     Settled<T> found =
         settle_normal(in_context(a, pa, beside.of_a), in_context(b, pb, beside.of_b), margin, manifold, distance);
     const bool behind = from_behind(pa, pb, Pushes::outward, found.manifold.normal);
     if (behind && distance <= T(0)) found.instead = found.manifold;
-    return {behind, found.manifold, found.instead};
+    return {behind, found.manifold, found.instead, found.instead_is_ghost};
   }
 
   /// The manifold of a pair of pieces, and their distance.
@@ -154,10 +157,14 @@ struct TouchingPieces {
     if (faces.passes_over(pa, pb, beside.empty())) return;
     name_pieces(manifold, pa, pb);
     Taken taken = settled(pa, pb, distance, manifold);
-    if (nearest) {
+    // A normal that is the surface's is kept before one that is not, then what is nearest.
+    const bool real = instead_is_ghost && !taken.instead_is_ghost && !taken.instead.points.empty();
+    const bool worse = taken.instead_is_ghost && !instead_is_ghost && !instead.points.empty();
+    if (real || (nearest && !worse)) {
       instead = taken.instead;
-      ghost.reset();
+      instead_is_ghost = taken.instead_is_ghost;
     }
+    if (nearest) ghost.reset();
     if (taken.behind || taken.manifold.points.empty()) return;
     if (faces.stand(pa, pb, taken.manifold) == FlatFaces<T>::Standing::on_known_face) return;
     groups.add(taken.manifold);

@@ -62,7 +62,7 @@ std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Pla
       return beside.normal;
   }
   std::optional<OnSurface<T>> seen = surface_over(self, point, outward, other);
-  if (!seen) seen = own_surface(self, point, outward, other);
+  if (!seen || seen->risen) seen = own_surface(self, point, outward, other);
   return seen ? std::optional(seen->normal) : std::nullopt;
 }
 
@@ -269,13 +269,13 @@ Vec3<T> leaning_least(const LeafInContext<T>& self, const Vec3<T>& outward) {
 }
 
 /// The correction of a solid's normal that leaves the Voronoi region of its feature where no neighbour has one: that of
-/// a face of its own which leans least from the normal, or from the way to the middle of the other shape, and above
-/// which nothing rises. Without one the contact is a neighbour's.
+/// a face of its own which leans least from the way to the middle of the other shape, or from the normal, and above which
+/// nothing rises. Without one the contact is a neighbour's.
 template <class T>
 Correction<T> own_face(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& point,
                        const Vec3<T>& outward) {
   const Vec3<T> to_middle = normalized(middle_of(other) - point, outward);
-  for (const Vec3<T>& direction : {outward, to_middle}) {
+  for (const Vec3<T>& direction : {to_middle, outward}) {
     const Vec3<T> own = leaning_least(self, direction);
     if (own != Vec3<T>{} && !riser_around(self, point, own, Among::all)) return {own};
   }
@@ -388,7 +388,7 @@ bool refuses(const LeafInContext<T>& self, const LeafInContext<T>& other, bool o
 template <class T>
 Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T margin, const Manifold<T>& manifold,
                          T distance) {
-  Settled<T> settled{manifold, {}};
+  Settled<T> settled{manifold, {}, false};
   Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
@@ -415,6 +415,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
     if (right && is_of_another_piece(self, other, *right, now)) {
       now = between_same_pieces(now);
       settled.instead = manifold;
+      settled.instead_is_ghost = true;
     } else if (right) {
       if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
       // Whether the two are as deep as that at all, nothing laid along the normal has shown.

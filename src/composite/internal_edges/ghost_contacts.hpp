@@ -32,8 +32,9 @@ namespace graze {
 /// What becomes of the manifold of two pieces.
 template <class T>
 struct Settled {
-  Manifold<T> manifold;  ///< of the surface; it may have no points
-  Manifold<T> instead;   ///< for when no other piece has any: one point, if the manifold has none
+  Manifold<T> manifold;           ///< of the surface; it may have no points
+  Manifold<T> instead;            ///< for when no other piece has any: one point, if the manifold has none
+  bool instead_is_ghost = false;  ///< its normal is none of the surface's
 };
 
 /// Lays a manifold of two pieces along the surface where its normal is not one of the surface's. `distance`: of the

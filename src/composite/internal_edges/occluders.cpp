@@ -82,7 +82,9 @@ std::optional<OnSurface<T>> entry(const Shape<T>& solid, const Pose<T>& pose, co
   const auto local = [&](const Vec3<T>& place) { return rotate(back, converted<double>(place - pose.translation)); };
   const Vec3d eye = local(sight.to), way = local(sight.from + inward) - eye;
   if (way == Vec3d{}) return std::nullopt;
-  const rays::MaybeHit hit = convex_raycast(solid, {eye, normalized(way), 0, length(way), 0}, BackFaces::hit);
+  // Of a flat solid the sight begins on the very plane.
+  const double end = length(way) + static_cast<double>(sight.slack);
+  const rays::MaybeHit hit = convex_raycast(solid, {eye, normalized(way), 0, end, 0}, BackFaces::hit);
   if (!hit || !(hit->t > 0)) return std::nullopt;  // not met, or its middle is inside too
   return OnSurface<T>{transform(pose, converted<T>(hit->point)), rotate(pose.rotation, converted<T>(hit->normal))};
 }
@@ -136,7 +138,7 @@ struct BestCover {
                                                                              : deep < depth);
     if (!better) return;
     surface = seen;
-    risen = now_risen;
+    surface->risen = risen = now_risen;
     along = now_along;
     depth = deep;
   }

@@ -18,6 +18,7 @@ namespace graze {
 template <class T>
 struct OnSurface {
   Vec3<T> point, normal;
+  bool risen = false;  ///< something rises above it: the normal is none of the surface's after all
 };
 
 /// How far a place of the world is from a convex piece; negative inside a solid one.
