@@ -138,14 +138,16 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
   size_ = greatest(size_, pair.size());
   Core<T> a = pair.a, b = pair.b;
   if (!faces(a, b, pair, b_in_a)) return;
-  const std::optional<Nearest> settled = nearest_on_outlines(a, b, b_in_a, found, pair.size());
+  const std::optional<OnOutline> settled = nearest_on_outlines(a, b, b_in_a, found, pair.size());
   if (!settled) return keep_in_line(a, b, pair, b_in_a, margin);
   Manifold<double> m = manifold(a, b, b_in_a, *settled, margin);
   if (m.points.empty()) return;
   const bool own = settled->a.point == found.a.point && settled->b.point == found.b.point;
-  const bool beside = !own && m.points.size() == 1 &&
-                      (beside_edge(a, settled->a.feature, settled->a.point) ||
-                       beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)));
+  const bool beside =
+      !own &&
+      (settled->gives_way ||
+       (m.points.size() == 1 && (beside_edge(a, settled->a.feature, settled->a.point) ||
+                                 beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)))));
   name_on_wholes(m, a, b);
   const Manifold<T> placed = in_world<T>(m, pair);
   if (!beside) {
@@ -180,7 +182,7 @@ template <class T>
 void Joined<T>::keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a,
                              double margin) {
   if (a.kind != CoreKind::polygon || b.kind != CoreKind::polygon) return;
-  const std::optional<Nearest> along = least_overlap_on_outlines(a, b, b_in_a);
+  const std::optional<OnOutline> along = least_overlap_on_outlines(a, b, b_in_a);
   if (!along) return;
   Manifold<double> m = facing_manifold(a, b, b_in_a, *along, margin);
   if (m.points.empty()) return;

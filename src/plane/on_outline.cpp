@@ -81,29 +81,48 @@ bool beside_has_normal(const Core<T>& core, std::uint32_t feature, const Vec2d& 
   return false;
 }
 
-/// Calls `f(n, i, edge)` with the outward normals of a core's outline at its edges and beside them: a vertex on the
-/// line with that normal, and the core's own edge there.
+/// Whether a piece lies within the line through its vertex i that has the outward normal `n`.
+template <class T>
+bool lies_within(const Core<T>& core, std::uint32_t i, const Vec2d& n) {
+  const Vec2d at = core.vertex(i);
+  return dot(core.vertex(core.next(i)) - at, n) <= 0 && dot(core.vertex(core.previous(i)) - at, n) <= 0;
+}
+
+/// Calls `f(n, i, edge, own)` with the outward normals of a core's outline at its edges and beside them: a vertex on
+/// the line with that normal, the core's own edge there, and whether the normal is that edge's. At a reflex vertex of a
+/// solid the edges beside a piece bound it as well where they end at its tip: what comes in over a valley's bottom is
+/// pushed out by the slopes, not by what bounds the piece on its far side.
 template <class T, class F>
 void for_each_normal(const Core<T>& core, F&& f) {
   if (core.kind != CoreKind::polygon || core.count < 2) return;
   for (std::uint32_t i = 0; i < core.count; ++i) {
     if (!core.outline) {
-      if (const Vec2d e = core.edge(i); e.x != 0 || e.y != 0) f(normalized(right(e)), i, i);
+      if (const Vec2d e = core.edge(i); e.x != 0 || e.y != 0) f(normalized(right(e)), i, i, true);
       continue;
     }
     const OutlineVertex& v = core.outline[i];
-    if (v.outer) f(right(v.leaving), i, i);
-    if (v.kind != Kind::convex) continue;
-    if (!v.outer) f(right(v.leaving), i, core.previous(i));
-    if (!core.outline[core.previous(i)].outer) f(right(v.arriving), i, i);
+    const Vec2d leaving = right(v.leaving), arriving = right(v.arriving);
+    if (v.outer) f(leaving, i, i, true);
+    if (v.kind != Kind::convex && (v.kind != Kind::reflex || core.chain)) continue;
+    const auto bounds = [&](const Vec2d& n) { return v.kind == Kind::convex || lies_within(core, i, n); };
+    if (!v.outer && bounds(leaving)) f(leaving, i, core.previous(i), false);
+    if (!core.outline[core.previous(i)].outer && bounds(arriving)) f(arriving, i, i, false);
   }
 }
 
 /// The distance along an axis, of `b` beyond the line through `on_a`.
 struct Axis {
   double gap = -std::numeric_limits<double>::infinity();
-  Nearest points{};
+  OnOutline points{};
 };
+
+/// Whether a core, whose points furthest along `n` (unit, in its frame) are `gap` beyond an edge against whose outward
+/// normal that is, lies wholly behind the edge, which a rounding of `radius` moves outwards.
+template <class T>
+bool is_behind(const Core<T>& core, const Vec2d& n, double gap, double radius) {
+  const double width = dot(support(core, n).point - support(core, -n).point, n);
+  return gap + width + core.radius < radius;
+}
 
 /// Whether the normal, known to within `off`, belongs to both outlines.
 template <class T>
@@ -136,9 +155,11 @@ Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Near
 }
 
 template <class T>
-std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
+std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
+  // Of a half-plane no point is furthest along a normal of the other.
+  if (a.kind == CoreKind::half_plane || b.kind == CoreKind::half_plane) return {};
   Axis best;
-  for_each_normal(a, [&](const Vec2d& n, std::uint32_t i, std::uint32_t edge) {
+  for_each_normal(a, [&](const Vec2d& n, std::uint32_t i, std::uint32_t edge, bool is_own) {
     const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n);
     const CorePoint deepest = support(b, toward_a);
     if (!feature_has_normal(b, deepest.feature, toward_a, unit_rounding)) return;
@@ -149,8 +170,9 @@ std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>
     best.points.normal = n;
     best.points.a = {point - n * gap, side_feature(edge)};
     best.points.b = {point, deepest.feature};
+    best.points.gives_way = a.outline && !a.chain && (!is_own || is_behind(b, toward_a, gap, a.radius));
   });
-  for_each_normal(b, [&](const Vec2d& own, std::uint32_t j, std::uint32_t edge) {
+  for_each_normal(b, [&](const Vec2d& own, std::uint32_t j, std::uint32_t edge, bool is_own) {
     const Vec2d n = -rotate(b_in_a.rotation, own);
     const CorePoint deepest = support(a, n);
     if (!feature_has_normal(a, deepest.feature, n, unit_rounding)) return;
@@ -160,6 +182,7 @@ std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>
     best.points.normal = n;
     best.points.a = deepest;
     best.points.b = {deepest.point + n * gap, side_feature(edge)};
+    best.points.gives_way = b.outline && !b.chain && (!is_own || is_behind(a, n, gap, b.radius));
   });
   if (best.gap == -std::numeric_limits<double>::infinity()) return {};
   best.points.distance = best.gap;
@@ -167,14 +190,14 @@ std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>
 }
 
 template <class T>
-std::optional<Nearest> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
-                                           const Nearest& found, double size) {
-  if (!a.outline && !b.outline) return found;
+std::optional<OnOutline> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
+                                             const Nearest& found, double size) {
+  if (!a.outline && !b.outline) return OnOutline{found};
   // The axes decide about cores so near to each other that rounding takes more than a few digits of the normal.
   constexpr double few_digits = 65536 * unit_rounding;
   const bool apart = found.distance > few_digits * (size + length(b_in_a.translation));
   const bool settled = apart || a.kind != CoreKind::polygon || b.kind != CoreKind::polygon;
-  if (settled && on_outlines(a, b, b_in_a, found, size)) return found;
+  if (settled && on_outlines(a, b, b_in_a, found, size)) return OnOutline{found};
   if (apart) return {};
   return least_overlap_on_outlines(a, b, b_in_a);
 }
@@ -207,9 +230,9 @@ Nearest way_out(const Core<T>& piece, const Vec2d& inside) {
 #define GRAZE_PLANE_OUTLINES(T)                                                                                        \
   template bool on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, double);                    \
   template Doubt doubt(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, double);                         \
-  template std::optional<Nearest> least_overlap_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&);            \
-  template std::optional<Nearest> nearest_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&,   \
-                                                      double);                                                         \
+  template std::optional<OnOutline> least_overlap_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&);          \
+  template std::optional<OnOutline> nearest_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, \
+                                                        double);                                                       \
   template Nearest way_out(const Core<T>&, const Vec2d&);
 GRAZE_PLANE_OUTLINES(float)
 GRAZE_PLANE_OUTLINES(double)

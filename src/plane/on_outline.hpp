@@ -24,17 +24,24 @@ struct Doubt {
 template <class T>
 Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size);
 
+/// Nearest points along a normal that belongs to the outlines.
+struct OnOutline : Nearest {
+  /// Whether another piece of a solid polygon has the contact if any has: the normal is that of an edge beside this one,
+  /// or the other core lies wholly behind the edge, over which it has not come in.
+  bool gives_way = false;
+};
+
 /// The axis of least overlap of two cores among the normals that belong to the outlines. The normals of edges beside
 /// the pieces take part, so that a piece gives way where its neighbour is less deep. Nothing where the pieces have no
 /// such axis.
 template <class T>
-std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
+std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
 
 /// The nearest points along normals that belong to the outlines: `found` where its normal does, the axis of least
 /// overlap where cores overlap, and nothing where the contact is a neighbour's.
 template <class T>
-std::optional<Nearest> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
-                                           const Nearest& found, double size);
+std::optional<OnOutline> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
+                                             const Nearest& found, double size);
 
 /// The nearest point to `inside`, which lies in a polygon, on the outline of that polygon, of which `piece` is one
 /// piece. All in its frame; the normal leads out. Cost: linear in the vertices.
