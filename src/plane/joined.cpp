@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "plane/manifold.hpp"
-#include "plane/on_outline.hpp"
 
 namespace graze::plane {
 
@@ -107,6 +106,18 @@ bool beside_edge(const Core<T>& core, std::uint32_t feature, const Vec2d& point)
   return at < 0 || at > length_squared(core.edge(i));
 }
 
+/// Whether all of a body lies behind the line through a point of the world whose outward normal is `n`.
+template <class T>
+bool lies_behind(const Shape<T>& shape, const Pose2d& pose, const Vec2d& on_line, const Vec2d& n) {
+  bool behind = true;
+  for_each_leaf(shape, pose, 0, true, Everywhere{}, [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
+    if (!behind) return;
+    const auto out = [&] { return transform(at, support(core, inverse_rotate(at.rotation, n)).point) - on_line; };
+    behind = core.kind != CoreKind::half_plane && dot(out(), n) + core.radius < 0;
+  });
+  return behind;
+}
+
 /// The largest error of a normal, in radians, within which contacts are still taken for the same.
 constexpr double most_doubt = 0x1p-4;
 
@@ -132,6 +143,19 @@ bool Joined<T>::faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pos
          (!b.chain || face(b, pair.pose_b, body_center(a_, pose_a_, far), side_b_));
 }
 
+/// Whether another piece of a solid polygon has the contact, if any has: the normal is that of an edge beside this one,
+/// or of an edge on the far side, over which the other body has not come in, since it lies wholly behind it.
+template <class T>
+bool Joined<T>::gives_way(const OnOutline& found, const LeafPair<T>& pair) const {
+  if (found.of_neighbour) return true;
+  const Vec2d n = rotate(pair.pose_a.rotation, found.normal);
+  if (found.behind_a)
+    return lies_behind(b_, pose_b_, transform(pair.pose_a, found.a.point + found.normal * pair.a.radius), n);
+  if (found.behind_b)
+    return lies_behind(a_, pose_a_, transform(pair.pose_a, found.b.point - found.normal * pair.b.radius), -n);
+  return false;
+}
+
 template <class T>
 void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin) {
   if (found.distance - pair.a.radius - pair.b.radius > margin) return;
@@ -145,7 +169,7 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
   const bool own = settled->a.point == found.a.point && settled->b.point == found.b.point;
   const bool beside =
       !own &&
-      (settled->gives_way ||
+      (gives_way(*settled, pair) ||
        (m.points.size() == 1 && (beside_edge(a, settled->a.feature, settled->a.point) ||
                                  beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)))));
   name_on_wholes(m, a, b);

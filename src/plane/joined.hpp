@@ -14,6 +14,7 @@
 #include "graze/small_vector.hpp"
 #include "plane/leaves.hpp"
 #include "plane/nearest.hpp"
+#include "plane/on_outline.hpp"
 
 namespace graze::plane {
 
@@ -83,6 +84,7 @@ class Joined {
   };
   bool face(Core<T>& segment, const Pose2d& pose, const Vec2d& other_center, ChainSide& known) const;
   bool faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a);
+  bool gives_way(const OnOutline& found, const LeafPair<T>& pair) const;
   void keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a, double margin);
   void join(const Manifold<T>& manifold);
   bool extend(const Manifold<T>& manifold);

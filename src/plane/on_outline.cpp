@@ -116,6 +116,12 @@ struct Axis {
   OnOutline points{};
 };
 
+/// Whether a core is a piece of a solid polygon.
+template <class T>
+bool is_solid(const Core<T>& core) {
+  return core.outline && !core.chain;
+}
+
 /// Whether a core, whose points furthest along `n` (unit, in its frame) are `gap` beyond an edge against whose outward
 /// normal that is, lies wholly behind the edge, which a rounding of `radius` moves outwards.
 template <class T>
@@ -170,7 +176,9 @@ std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<
     best.points.normal = n;
     best.points.a = {point - n * gap, side_feature(edge)};
     best.points.b = {point, deepest.feature};
-    best.points.gives_way = a.outline && !a.chain && (!is_own || is_behind(b, toward_a, gap, a.radius));
+    best.points.of_neighbour = is_solid(a) && !is_own;
+    best.points.behind_a = is_solid(a) && is_behind(b, toward_a, gap, a.radius);
+    best.points.behind_b = false;
   });
   for_each_normal(b, [&](const Vec2d& own, std::uint32_t j, std::uint32_t edge, bool is_own) {
     const Vec2d n = -rotate(b_in_a.rotation, own);
@@ -182,7 +190,9 @@ std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<
     best.points.normal = n;
     best.points.a = deepest;
     best.points.b = {deepest.point + n * gap, side_feature(edge)};
-    best.points.gives_way = b.outline && !b.chain && (!is_own || is_behind(a, n, gap, b.radius));
+    best.points.of_neighbour = is_solid(b) && !is_own;
+    best.points.behind_a = false;
+    best.points.behind_b = is_solid(b) && is_behind(a, n, gap, b.radius);
   });
   if (best.gap == -std::numeric_limits<double>::infinity()) return {};
   best.points.distance = best.gap;

@@ -26,9 +26,9 @@ Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Near
 
 /// Nearest points along a normal that belongs to the outlines.
 struct OnOutline : Nearest {
-  /// Whether another piece of a solid polygon has the contact if any has: the normal is that of an edge beside this one,
-  /// or the other core lies wholly behind the edge, over which it has not come in.
-  bool gives_way = false;
+  bool of_neighbour = false;  ///< whether the normal is that of an edge beside the piece of a solid polygon
+  /// Whether it is that of an edge of A, or of B, a piece of a solid polygon, behind which the other core lies wholly.
+  bool behind_a = false, behind_b = false;
 };
 
 /// The axis of least overlap of two cores among the normals that belong to the outlines. The normals of edges beside

@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 7858335795465945871u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 10272091050559756568u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 2961899745594228065u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 15853020954127269752u;
 
 }  // namespace graze::testing
 

@@ -153,6 +153,53 @@ TEST(PlanePolygon, ContactsAreThoseOfTheOutline) {
   EXPECT_NEAR((distance<double>(l, {}, Circle<double>(0.1), {{0.3, 2}, {}}).distance), -0.4, 1e-12);
 }
 
+/// Hills and a valley on a solid whose underside is far below: what comes in over the valley is pushed out by the
+/// slopes, whichever pieces it lies in, and is as deep as they say. Its own corners may be cut too.
+TEST(PlanePolygon, ValleysPushOutBySlopesAndNotByTheUnderside) {
+  const Shaped ground = Polygon<double>(Points{{-3, -9}, {3, -9}, {3, 0}, {1, 0.5}, {0, 0}, {-1, 0.5}, {-3, 0}});
+  const Shaped bracket = Polygon<double>(
+      Points{{-0.5, -0.4}, {0.5, -0.4}, {0.5, 0.4}, {0.3, 0.4}, {0.3, -0.2}, {-0.3, -0.2}, {-0.3, 0.4}, {-0.5, 0.4}});
+  for (const Shaped& body : {Shaped(Box<double>({0.6, 0.6})), Shaped(Circle<double>(0.3)), bracket})
+    for (double x = -2; x <= 2; x += 0.0625)
+      for (double angle = 0; angle < 6; angle += 0.25) {
+        const Rot2d turned = Rot2d::from_angle(angle);
+        double low = -1, high = 3;  // of the height at which the two touch
+        while (high - low > 1e-9) {
+          const double middle = (low + high) / 2;
+          (overlap<double>(ground, {}, body, {{x, middle}, turned}) ? low : high) = middle;
+        }
+        const double pushed = 0.02;
+        const Pose2d pose{{x, low - pushed}, turned};
+        Manifolds<double> manifolds;
+        ASSERT_TRUE(contacts<double>(ground, {}, body, pose, 0, manifolds));
+        ASSERT_FALSE(manifolds.empty()) << x << ", " << angle;
+        for (const Manifold<double>& m : manifolds) {
+          EXPECT_GT(m.normal.y, 0) << x << ", " << angle;
+          for (const ContactPoint<double>& p : m.points) EXPECT_GE(p.distance, -pushed * 1.0001) << x << ", " << angle;
+        }
+        // An upper bound: a piece is left by the slopes that bound it, which may be the longer way.
+        EXPECT_GE(distance<double>(ground, {}, body, pose).distance, -pushed * 1.5) << x << ", " << angle;
+      }
+}
+
+/// A bracket on a tall wall meets it at its base, not at the far end of the line that the base lies on.
+TEST(PlanePolygon, AnEdgeBesideAPieceGivesNoContactOfItsOwn) {
+  const Shaped bracket = Polygon<double>(
+      Points{{-0.5, -0.4}, {0.5, -0.4}, {0.5, 0.4}, {0.3, 0.4}, {0.3, -0.2}, {-0.3, -0.2}, {-0.3, 0.4}, {-0.5, 0.4}});
+  const Shaped wall = Box<double>({1, 80});
+  for (const double lean : {-0.02, -0.01, -0.001, 0.001, 0.01, 0.02}) {
+    const Rot2d turned = Rot2d::from_angle(-1.5707963267948966 + lean);
+    Manifolds<double> manifolds;
+    contacts<double>(wall, {}, bracket, {{0.9, 0}, turned}, 0, manifolds);
+    ASSERT_FALSE(manifolds.empty()) << lean;
+    for (const Manifold<double>& m : manifolds)
+      for (const ContactPoint<double>& p : m.points) {
+        EXPECT_LT(std::abs(p.a.y), 1) << lean;
+        EXPECT_GT(p.distance, -0.05) << lean;
+      }
+  }
+}
+
 template <class T>
 class PlaneChains : public testing::Test {};
 using Scalars = testing::Types<float, double>;
