@@ -940,6 +940,7 @@ export class Simulation extends Handle {
   /** Contacts, events and queries. It belongs to the simulation. */
   readonly world: WorldQueries;
   save(): State;
+  /** Goes back, or on from a state of another simulation with the same bodies and joints, added in the same order. */
   restore(state: State): void;
 }
 

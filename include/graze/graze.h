@@ -1269,7 +1269,8 @@ GRAZE_C_API GrazeStatus graze_simulation_report_d(const GrazeSimulationd *simula
 GRAZE_C_API GrazeStatus graze_simulation_world_d(const GrazeSimulationd *simulation, const GrazeWorldd **world);
 
 GRAZE_C_API GrazeStatus graze_simulation_save_d(const GrazeSimulationd *simulation, GrazeStated **state);
-// Goes back to a state of this simulation, since which no bodies or joints came or went.
+// Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and removed
+// in the same order; an error where there are others now.
 GRAZE_C_API GrazeStatus graze_simulation_restore_d(GrazeSimulationd *simulation, const GrazeStated *state);
 GRAZE_C_API void graze_state_destroy_d(GrazeStated *state);
 
@@ -1860,7 +1861,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_world_d(const GrazePlaneSimulatio
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_save_d(const GrazePlaneSimulationd *simulation,
                                                       GrazePlaneStated **state);
-// Goes back to a state of this simulation, since which no bodies or joints came or went.
+// Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and removed
+// in the same order; an error where there are others now.
 GRAZE_C_API GrazeStatus graze_plane_simulation_restore_d(GrazePlaneSimulationd *simulation,
                                                          const GrazePlaneStated *state);
 GRAZE_C_API void graze_plane_state_destroy_d(GrazePlaneStated *state);

@@ -58,7 +58,7 @@ struct StepReport {
 template <class T, class Space>
 struct SimulationParts;
 
-/// A saved state, for `restore`: a value that may be kept, copied and thrown away.
+/// A saved state, for `restore`: a value that may be kept, copied and thrown away, and outlives its simulation.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API State {
  public:
@@ -150,9 +150,11 @@ class GRAZE_API Simulation {
   std::uint64_t state_hash() const;
 
   State<T, Space> save() const;  ///< all that `restore` needs
-  /// Goes back to a state of this simulation. Throws `InvalidValue` where bodies or joints came or went in between.
-  /// Costs an update of the world. Contacts are found anew, so that the events of the next step may begin a contact
-  /// that had begun before where bodies are apart by less than their margin.
+  /// Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and
+  /// removed in the same order: the steps after it have the same bits. Throws `InvalidValue` where there are other
+  /// bodies or joints now: of another handle, kind of shape, size or mass, joined otherwise. Costs an update of the
+  /// world. Contacts are found anew, so that the events of the next step may begin a contact that had begun before where
+  /// bodies are apart by less than their margin.
   void restore(const State<T, Space>& state);
 
  private:

@@ -1,7 +1,8 @@
 // Saving the state of a simulation, and going back to it.
 //
 // A step depends on the poses and velocities of the bodies, and on the impulses of the last step's contacts. The latter
-// belong to points that the world finds anew where the last update found them: so bodies are put there first.
+// belong to points that the world finds anew where the last update found them: so bodies are put there first. Nothing in a
+// state belongs to the simulation that saved it, so that one with the same bodies and joints may go on from it.
 #include <string>
 
 #include "dynamics/bit_hash.hpp"
@@ -11,10 +12,10 @@ namespace graze {
 
 template <class T, class Space>
 struct State<T, Space>::Kept {
-  const void* of = nullptr;  ///< the simulation
   std::vector<SimulatedBody<T, Space>> bodies;
   std::vector<JointPlace<T, Space>> joints;
   std::vector<BodyId> ids;
+  std::vector<std::size_t> kinds;  ///< of the shapes, by index of body
   std::vector<typename Space::Pose> poses, found_at;
   std::vector<typename Space::Vec> linear;
   std::vector<typename Space::Turning> angular;
@@ -45,6 +46,7 @@ namespace {
 template <class T, class Space>
 std::vector<BodyId> ids_of(const World<T, Space>& world) {
   std::vector<BodyId> ids;
+  std::vector<std::size_t> kinds;  ///< of the shapes, by index of body
   for (std::uint32_t i = 0; i < world.bodies().size(); ++i)
     if (world.bodies().alive()[i] != 0) ids.push_back(world.bodies().id(i));
   return ids;
@@ -59,10 +61,31 @@ void each_point(ContactArrays<T, Space>& contacts, F&& f) {
 }
 
 template <class T, class Space>
+std::vector<std::size_t> kinds_of(const World<T, Space>& world) {
+  std::vector<std::size_t> kinds;
+  for (const auto& shape : world.bodies().shapes()) kinds.push_back(shape.index());
+  return kinds;
+}
+
+/// Whether two bodies are alike in what never changes: what they weigh, how large they are, and how they may move.
+template <class T, class Space>
+bool alike(const SimulatedBody<T, Space>& a, const SimulatedBody<T, Space>& b) {
+  return a.mass.mass == b.mass.mass && a.mass.inertia == b.mass.inertia && a.mass.principal == b.mass.principal &&
+         a.size == b.size && a.radius == b.radius && a.gravity_factor == b.gravity_factor &&
+         a.linear_damping == b.linear_damping && a.angular_damping == b.angular_damping && a.movable == b.movable &&
+         a.moves == b.moves && a.may_sleep == b.may_sleep;
+}
+
+template <class T, class Space>
 bool same_joints(const std::vector<JointPlace<T, Space>>& a, const std::vector<JointPlace<T, Space>>& b) {
   if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].alive != b[i].alive || a[i].generation != b[i].generation) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const JointInPlace<T, Space>&in_a = a[i].in_place, &in_b = b[i].in_place;
+    if (a[i].alive != b[i].alive || a[i].generation != b[i].generation || in_a.a != in_b.a || in_a.b != in_b.b ||
+        !(in_a.frame_a == in_b.frame_a) || !(in_a.frame_b == in_b.frame_b) ||
+        in_a.joint.enable_collision != in_b.joint.enable_collision)
+      return false;
+  }
   return true;
 }
 
@@ -75,10 +98,10 @@ State<T, Space> Simulation<T, Space>::save() const {
   State<T, Space> state;
   state.kept_ = std::make_unique<typename State<T, Space>::Kept>();
   auto& kept = *state.kept_;
-  kept.of = parts_.get();
   kept.bodies = p.bodies;
   kept.joints = p.joints;
   kept.ids = ids_of(p.world);
+  kept.kinds = kinds_of(p.world);
   kept.poses.assign(all.poses().begin(), all.poses().end());
   kept.linear.assign(all.linear().begin(), all.linear().end());
   kept.angular.assign(all.angular().begin(), all.angular().end());
@@ -96,10 +119,14 @@ State<T, Space> Simulation<T, Space>::save() const {
 template <class T, class Space>
 void Simulation<T, Space>::restore(const State<T, Space>& state) {
   SimulationParts<T, Space>& p = *parts_;
-  if (!state.kept_ || state.kept_->of != parts_.get())
-    throw InvalidValue("state", "a state that this simulation saved", "another");
+  if (!state.kept_) throw InvalidValue("state", "a state that a simulation saved", "an empty one");
   const auto& kept = *state.kept_;
   if (kept.ids != ids_of(p.world)) throw InvalidValue("state", "one of the bodies that there are now", "others");
+  const std::vector<std::size_t> kinds = kinds_of(p.world);
+  for (const BodyId id : kept.ids)
+    if (kept.kinds[id.index] != kinds[id.index] || !alike(kept.bodies[id.index], p.bodies[id.index]))
+      throw InvalidValue("state", "one of bodies like those that there are now",
+                         "another body " + std::to_string(id.index));
   if (!same_joints(kept.joints, p.joints))
     throw InvalidValue("state", "one of the joints that there are now", "others");
   const auto put = [&](std::span<const typename Space::Pose> poses) {

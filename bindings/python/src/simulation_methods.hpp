@@ -77,7 +77,8 @@ class SimulationMethods {
             "save", [](const Own& s) { return s.read()->save(); }, "The State that `restore` goes back to.")
         .def(
             "restore", [](Own& s, const State& state) { s.change()->restore(state); }, py::arg("state"),
-            "Goes back, bit for bit. Raises ValueError where bodies or joints came or went in between.");
+            "Goes back, or on from a state of another simulation with the same bodies and joints, added in the same "
+            "order, bit for bit. Raises ValueError where there are others now.");
     add_methods(m, simulation);
   }
 
