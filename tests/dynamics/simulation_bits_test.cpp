@@ -46,8 +46,8 @@ TYPED_TEST(SimulationBits, SameAfterRestore) {
 /// A simulation of the same bodies and joints goes on from a state, though the one that saved it is gone.
 TYPED_TEST(SimulationBits, SameInATwin) {
   using T = TypeParam;
-  const auto build = [](Simulation<T>& s, T gap) {
-    add_heap(s, 6, 40);
+  const auto build = [](Simulation<T>& s, T gap, T size) {
+    add_heap(s, 6, 40, size);
     const BodyId top = s.world().bodies().id(40), next = s.world().bodies().id(39);
     s.add(ball_joint<T>(top, {{T(0), gap, T(0)}, {}}, next, {}));
   };
@@ -55,24 +55,24 @@ TYPED_TEST(SimulationBits, SameInATwin) {
   std::vector<Pose<T>> once;
   {
     Simulation<T> s(settings<T>(T(10), true));
-    build(s, T(1));
+    build(s, T(1), T(1));
     poses_after(s, 60);
     state = s.save();
     once = poses_after(s, 60);
   }
   Simulation<T> twin(settings<T>(T(10), true));
-  build(twin, T(1));
+  build(twin, T(1), T(1));
   poses_after(twin, 7);
   twin.restore(state);
   EXPECT_EQ(poses_after(twin, 60), once);
 
   Simulation<T> joined_otherwise(settings<T>(T(10), true));
-  build(joined_otherwise, T(1.5));
+  build(joined_otherwise, T(1.5), T(1));
   const std::uint64_t before = joined_otherwise.state_hash();
   EXPECT_THROW(joined_otherwise.restore(state), InvalidValue);
   EXPECT_EQ(joined_otherwise.state_hash(), before);
   Simulation<T> of_other_sizes(settings<T>(T(10), true));
-  add_heap(of_other_sizes, 6, 40, T(2));
+  build(of_other_sizes, T(1), T(2));
   EXPECT_THROW(of_other_sizes.restore(state), InvalidValue);
 }
 
