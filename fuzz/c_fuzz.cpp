@@ -568,6 +568,9 @@ struct Calls {
     told(graze_plane_overlap_d(a, in.maybe(&pose_a), b, in.maybe(&pose_b), in.maybe(&yes)));
     if (told(graze_plane_distance_d(a, &pose_a, b, &pose_b, in.maybe(&d)))) require(d.certainty <= GRAZE_UNBOUNDED);
     told(graze_plane_contacts_d(a, &pose_a, b, &pose_b, in.length(), in.maybe(buffer), in.maybe(&contacts)));
+    const std::size_t most = in.byte();
+    if (told(graze_plane_contacts_reduced_d(a, &pose_a, b, &pose_b, in.length(), most, in.maybe(buffer), &contacts)))
+      require(contacts.point_count <= most);
     told(graze_plane_closest_d(a, &pose_a, {in.number(), in.number()}, in.maybe(&closest)));
     const GrazePlaneRayd ray = {{in.number(), in.number()}, {in.number(), in.number()}};
     GrazePlaneRayHitd hit;

@@ -1432,6 +1432,11 @@ GRAZE_C_API GrazeStatus graze_plane_distance_d(const GrazePlaneShaped *a, const 
 GRAZE_C_API GrazeStatus graze_plane_contacts_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
                                                const GrazePlaneShaped *b, const GrazePose2d *pose_b, double margin,
                                                GrazeBufferd *buffer, GrazePlaneContactsd *contacts);
+// At most `most` >= 1 points, as those of space.
+GRAZE_C_API GrazeStatus graze_plane_contacts_reduced_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                                       const GrazePlaneShaped *b, const GrazePose2d *pose_b,
+                                                       double margin, size_t most, GrazeBufferd *buffer,
+                                                       GrazePlaneContactsd *contacts);
 GRAZE_C_API GrazeStatus graze_plane_contact_margin_d(const GrazePlaneShaped *a, const GrazePlaneShaped *b,
                                                      double *margin);
 // The corners of a feature (graze/plane/feature_corners.hpp), as in space: one for a vertex, two for an edge.
@@ -2716,6 +2721,10 @@ GRAZE_C_API GrazeStatus graze_plane_distance_f(const GrazePlaneShapef *a, const 
 GRAZE_C_API GrazeStatus graze_plane_contacts_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
                                                const GrazePlaneShapef *b, const GrazePose2f *pose_b, float margin,
                                                GrazeBufferf *buffer, GrazePlaneContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_plane_contacts_reduced_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                                       const GrazePlaneShapef *b, const GrazePose2f *pose_b,
+                                                       float margin, size_t most, GrazeBufferf *buffer,
+                                                       GrazePlaneContactsf *contacts);
 GRAZE_C_API GrazeStatus graze_plane_contact_margin_f(const GrazePlaneShapef *a, const GrazePlaneShapef *b,
                                                      float *margin);
 GRAZE_C_API GrazeStatus graze_plane_feature_corners_f(const GrazePlaneShapef *shape, uint32_t piece, uint16_t feature,

@@ -36,6 +36,7 @@
 #include "graze/plane/feature_corners.hpp"
 #include "graze/plane/mass.hpp"
 #include "graze/plane/proximity.hpp"
+#include "graze/plane/reduce.hpp"
 #include "graze/plane/simulation.hpp"
 #include "graze/plane/slide.hpp"
 #include "graze/plane/support.hpp"

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "graze/plane/reduce.hpp"
 #include "graze/plane/space.hpp"
 #include "graze/world/point_choice.hpp"
 
@@ -55,17 +56,16 @@ void reduce_arrays(Arrays& arrays, std::size_t count) {
   }
 }
 
-}  // namespace
-
-template <class T>
-void reduce(Manifolds<T>& manifolds, std::size_t count) {
-  PointChoice<T> choice;
+/// The manifolds of one pair.
+template <class T, class Space>
+void reduce_manifolds(std::vector<typename Space::Manifold>& manifolds, std::size_t count) {
+  PointChoice<T, Space> choice;
   for (std::size_t i = 0; i < manifolds.size(); ++i)
-    for (const ContactPoint<T>& p : manifolds[i].points) choice.add(p, manifolds[i].normal, i);
+    for (const auto& p : manifolds[i].points) choice.add(p, manifolds[i].normal, i);
   if (choice.size() <= count) return;
   choice.choose(count);
   std::size_t place = 0;
-  for (Manifold<T>& m : manifolds) {
+  for (auto& m : manifolds) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < m.points.size(); ++k, ++place)
       if (choice.kept(place)) m.points[kept++] = m.points[k];
@@ -73,6 +73,13 @@ void reduce(Manifolds<T>& manifolds, std::size_t count) {
   }
   manifolds.erase(std::remove_if(manifolds.begin(), manifolds.end(), [](const auto& m) { return m.points.empty(); }),
                   manifolds.end());
+}
+
+}  // namespace
+
+template <class T>
+void reduce(Manifolds<T>& manifolds, std::size_t count) {
+  reduce_manifolds<T, Space<T>>(manifolds, count);
 }
 
 template <class T>
@@ -85,11 +92,17 @@ void reduce(ContactArrays<T, Space>& contacts, std::size_t count) {
   reduce_arrays<T, Space>(contacts, count);
 }
 
+template <class T>
+void plane::reduce(Manifolds<T>& manifolds, std::size_t count) {
+  reduce_manifolds<T, Space<T>>(manifolds, count);
+}
+
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void reduce(Manifolds<T>&, std::size_t);                                                                    \
   template void reduce(BatchContacts<T>&, std::size_t);                                                                \
   template void reduce(ContactArrays<T>&, std::size_t);                                                                \
-  template void reduce(ContactArrays<T, plane::Space<T>>&, std::size_t);
+  template void reduce(ContactArrays<T, plane::Space<T>>&, std::size_t);                                               \
+  template void plane::reduce(plane::Manifolds<T>&, std::size_t);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

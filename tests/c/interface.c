@@ -372,6 +372,10 @@ static void test_plane(void) {
   const GrazePose2d above = graze_plane_pose_d(-2.5, 0.99, 0);
   OK(graze_plane_contacts_d(chain, &here, box, &above, 0, buffer, &contacts));
   EXPECT(contacts.overlap && contacts.point_count == 2);
+  OK(graze_plane_contacts_reduced_d(chain, &here, box, &above, 0, 1, buffer, &contacts));
+  EXPECT(contacts.overlap && contacts.manifold_count == 1 && contacts.point_count == 1);
+  REFUSED(graze_plane_contacts_reduced_d(chain, &here, box, &above, 0, 0, buffer, &contacts),
+          "most: expected a number >= 1, got 0");
   const GrazePlaneShaped* shapes[2];
   shapes[0] = box, shapes[1] = circle;
   const GrazePose2d poses[2] = {graze_plane_pose_d(3, 0, 0), graze_plane_pose_d(1.2, 0, 0)};

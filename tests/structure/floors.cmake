@@ -8,7 +8,7 @@ set(floors
     "^src/(narrow|cast|rays|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs|pair_changes)\\.hpp$)"
     "^src/composite/"
     "^src/query/|^include/graze/(query|feature_corners|cast|raycast|typed_query|batch|batch_raycast|contact_motion)\\.hpp$"
-    "^src/world/|^include/graze/(world[./]|slide\\.hpp$|plane/(space|world|slide)\\.hpp$)"
+    "^src/world/|^include/graze/(world[./]|slide\\.hpp$|plane/(reduce|slide|space|world)\\.hpp$)"
     "^src/dynamics/|^include/graze/((plane/)?(free_motion|blows|dynamics|joint|rigid|simulation)|impulse|mass|material|plane/contact_motion)\\.hpp$"
     "^src/(draw|capture)/|^include/graze/(draw|tessellate|capture|plane/capture)\\.hpp$"
     "^src/(tbb|io|mpi)/|^include/graze/(io/|mpi/|tbb_executor\\.hpp$)"

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "graze/batch.hpp"
+#include "graze/plane/reduce.hpp"
+#include "graze/plane/world.hpp"
 #include "graze/world.hpp"
 #include "world/executors.hpp"
 
@@ -331,6 +333,51 @@ struct Answer {
     }
   }
 };
+
+/// A box that leans on a bumpy chain, whose pieces each have a manifold with it.
+TYPED_TEST(ReducePairs, InThePlaneAsAWorldLeavesThem) {
+  using T = TypeParam;
+  std::vector<plane::Vec2<T>> bumps;
+  for (int i = -8; i <= 8; ++i) bumps.push_back({T(-i) / T(4), (i % 2 == 0 ? T(0) : T(0.125)) + T(i * i) / T(512)});
+  const plane::Shape<T> ground = plane::Chain<T>(bumps, false, plane::ChainSides::both), crate = plane::Box<T>({2, 1});
+  int reduced = 0;
+  for (const std::size_t count : {1u, 2u, 3u, 100u})
+    for (int turn = -3; turn <= 3; ++turn) {
+      const plane::Pose2<T> pose{{T(0.1), T(0.45)}, plane::Rot2<T>::from_angle(T(0.05) * T(turn))};
+      plane::Manifolds<T> all, kept;
+      plane::contacts(ground, plane::Pose2<T>{}, crate, pose, T(0), all);
+      plane::contacts(ground, plane::Pose2<T>{}, crate, pose, T(0), kept);
+      plane::reduce(kept, count);
+      std::size_t points = 0;
+      T deepest(1), deepest_kept(1);
+      for (const auto& m : all)
+        for (const auto& p : m.points) ++points, deepest = std::min(deepest, p.distance);
+      for (const auto& m : kept)
+        for (const auto& p : m.points) deepest_kept = std::min(deepest_kept, p.distance);
+      EXPECT_EQ(deepest_kept, deepest);
+      reduced += points > count;
+
+      WorldSettings<T> settings;
+      settings.margin = T(0);
+      settings.points_per_pair = count;
+      plane::World<T> world(settings);
+      world.add({ground, {}});
+      world.add({crate, pose});
+      world.update();
+      const auto& found = world.contacts();
+      ASSERT_EQ(kept.size(), found.manifolds.size());
+      std::size_t k = 0;
+      for (std::size_t i = 0; i < kept.size(); ++i) {
+        ASSERT_EQ(kept[i].points.size(), found.manifolds[i].point_count);
+        for (const auto& p : kept[i].points) {
+          EXPECT_EQ(p.feature, found.points[k].feature);
+          EXPECT_EQ(p.a, found.points[k++].a);
+        }
+      }
+      EXPECT_EQ(k, std::min(points, count));
+    }
+  EXPECT_GE(reduced, 14);
+}
 
 // A world that leaves so many points of a pair finds what `reduce` leaves of all that another finds, impulses carried
 // on and pairs of which nothing changed included, and whatever its threads.
