@@ -36,8 +36,9 @@ wasm=(emscripten)
 # Windows: a compiler with threads of POSIX, GoogleTest's sources, since its library is Linux's, and what runs programs.
 windows=(g++-mingw-w64-x86-64-posix googletest wine wine64)
 
-# The npm package: JSON for the query protocol, and where it is tested. What npm packs is a tarball, made without npm.
-npm=(emscripten nlohmann-json3-dev nodejs chromium)
+# The npm package: JSON for the query protocol, where it is tested, and what checks its types. What npm packs is a tarball,
+# made without npm.
+npm=(emscripten nlohmann-json3-dev nodejs chromium node-typescript)
 
 # What compares the C interface with the recorded one.
 abi=(gcc abigail-tools)

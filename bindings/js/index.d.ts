@@ -109,6 +109,7 @@ export interface MassProperties {
 
 /** A shape, which never changes. Made by the classes below. */
 export class Shape extends Handle {
+  protected constructor();
   readonly kind: ShapeKind;
   readonly rounding: number;
   bounds(pose?: PoseLike): Aabb;
@@ -961,6 +962,7 @@ export declare namespace plane {
     | "circle" | "capsule" | "box" | "segment" | "convex" | "ellipse" | "userConvex" | "halfPlane" | "polygon" | "chain"
     | "compound";
   class Shape extends Handle {
+    protected constructor();
     readonly kind: ShapeKind;
     readonly rounding: number;
     bounds(pose?: PoseLike): { lower: Vec2; upper: Vec2 };
@@ -985,6 +987,10 @@ export declare namespace plane {
   }
   class Ellipse extends Shape {
     constructor(radii: ArrayLike<number>);
+  }
+  /** A convex shape of your own: `support` returns a point furthest along a direction, which is not zero. */
+  class UserConvex extends Shape {
+    constructor(support: (direction: Vec2) => ArrayLike<number>);
   }
   /** The half-plane y <= 0. */
   class HalfPlane extends Shape {
@@ -1286,7 +1292,8 @@ export declare namespace plane {
   }
   function overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
   function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
-  function contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Contacts;
+  function contacts(
+    a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number, most?: number): Contacts;
   function contactMargin(a: Shape, b: Shape): number;
   /** The corners of a feature as in space: one of a vertex, two of an edge. */
   function featureCorners(shape: Shape, feature: number, piece?: number): Vec2[];

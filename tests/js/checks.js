@@ -193,6 +193,47 @@ export const checks = [
     equal(graze.overlap(angry, {}, ball, {}), true, "that it works afterwards");
   }],
 
+  ["a convex shape of one's own in the plane", ({ graze, double }) => {
+    for (const { plane, InvalidValue } of [graze, double]) {
+      let calls = 0;
+      const square = new plane.UserConvex((d) => {
+        equal(d.length, 2, "a direction of the plane");
+        calls += 1;
+        return d.map((x) => (x < 0 ? -1 : 1));
+      });
+      const box = new plane.Box([2, 2]);
+      const disk = new plane.Circle(0.5);
+      for (const there of [{ translation: [3, 0.25] }, { translation: [2, 2] }, { translation: [0.5, 1.25] }]) {
+        const own = plane.distance(square, { rotation: 0.25 }, disk, there);
+        close(own.distance, plane.distance(box, { rotation: 0.25 }, disk, there).distance, 1e-5, "distance");
+      }
+      ok(calls > 0, "that it was called");
+      equal(square.kind, "userConvex", "kind");
+      throws(() => new plane.UserConvex(7), "userConvex.support: expected a function, got 7", InvalidValue);
+      for (const shape of [square, box, disk]) shape.dispose();
+    }
+  }],
+
+  ["at most so many points of a pair", ({ graze, double }) => {
+    for (const { Box, contacts, plane, InvalidValue } of [graze, double]) {
+      const box = new Box([1, 1, 1]);
+      const square = new plane.Box([1, 1]);
+      const step = new plane.Chain([[1, 0], [0, 0], [-1, 0.125]]);
+      const points = ({ manifolds }) => manifolds.flatMap((m) => m.points);
+      const reduced = (most) => contacts(box, {}, box, { translation: [0, 0.75, 0] }, 0, most);
+      equal([undefined, 3, 1].map((most) => points(reduced(most)).length), [4, 3, 1], "in space");
+      const inPlane = (most) => points(plane.contacts(step, {}, square, { translation: [0, 0.375] }, 0, most));
+      const all = inPlane();
+      ok(all.length > 2, "two pieces, each with points");
+      const two = inPlane(2);
+      equal(two.length, 2, "in the plane");
+      ok(two.every((p) => all.some((q) => q.feature === p.feature && q.distance === p.distance)), "some of all");
+      equal(Math.min(...two.map((p) => p.distance)), Math.min(...all.map((p) => p.distance)), "the deepest stays");
+      throws(() => inPlane(0), "most: expected a number >= 1, got 0", InvalidValue);
+      for (const shape of [box, square, step]) shape.dispose();
+    }
+  }],
+
   ["many at a time have the bits of each alone", ({ graze, double }) => {
     for (const entry of [graze, double]) {
       const next = random(3);

@@ -79,26 +79,52 @@ test("numbers are written as std::to_chars does", () => {
 /** The fenced blocks of a language on a page. */
 const blocks = (page, language) => [...page.matchAll(new RegExp("```" + language + "\\n([\\s\\S]*?)```", "g"))].map((m) => m[1]);
 
+/** Calls `use` with a directory in which the package is installed. */
+async function installed(use) {
+  const work = await mkdtemp(path.join(tmpdir(), "graze-js-"));
+  try {
+    await mkdir(path.join(work, "node_modules"));
+    await symlink(dist, path.join(work, "node_modules/graze"));
+    await writeFile(path.join(work, "package.json"), '{"type": "module"}');
+    await use(work);
+  } finally {
+    await rm(work, { recursive: true });
+  }
+}
+
 test("the page's programs print what the page says", async () => {
   const page = await readFile(path.join(project, "docs/javascript.md"), "utf8");
   const programs = blocks(page, "js");
   const outputs = blocks(page, "console");
   assert.ok(programs.length >= 3);
   assert.equal(programs.length, outputs.length, "an output for each program");
-  const work = await mkdtemp(path.join(tmpdir(), "graze-js-"));
-  try {
-    await mkdir(path.join(work, "node_modules"));
-    await symlink(dist, path.join(work, "node_modules/graze"));
-    await writeFile(path.join(work, "package.json"), '{"type": "module"}');
+  await installed(async (work) => {
     for (const [i, program] of programs.entries()) {
       const file = path.join(work, `program${i}.js`);
       await writeFile(file, program);
       const { stdout } = await run(process.execPath, [file]);
       assert.equal(stdout, outputs[i]);
     }
-  } finally {
-    await rm(work, { recursive: true });
-  }
+  });
+});
+
+test("a strict TypeScript program of every name compiles and runs", async () => {
+  const program = await readFile(path.join(here, "types.ts"), "utf8");
+  const declarations = await readFile(path.join(dist, "index.d.ts"), "utf8");
+  const kinds = "(?:declare )?(?:abstract )?(?:class|function|const|namespace|interface|type)";
+  const names = (text, start) => [...text.matchAll(new RegExp(`^${start}${kinds} (\\w+)`, "gm"))].map((m) => m[1]);
+  const ofPlane = declarations.slice(declarations.indexOf("export declare namespace plane"));
+  const all = [...names(declarations, "export "), ...names(ofPlane, "  ").map((name) => `plane.${name}`)];
+  assert.ok(all.length > 200, `expected some two hundred names, got ${all.length}`);
+  assert.deepEqual(all.filter((name) => !new RegExp(`\\b${name}\\b`).test(program)), [], "names that types.ts does not use");
+  await installed(async (work) => {
+    await writeFile(path.join(work, "types.ts"), program);
+    const options = [
+      "--strict", "--noUncheckedIndexedAccess", "--target", "es2022", "--module", "node16", "--moduleResolution", "node16"];
+    // Errors are written to the standard output.
+    await run("tsc", [...options, "types.ts"], { cwd: work }).catch((error) => assert.fail(error.stdout || error.message));
+    await run(process.execPath, ["types.js"], { cwd: work });
+  });
 });
 
 // The stored capture is of a world: one of a simulation has the bits of the solver that wrote it, and is made anew below.

@@ -13,16 +13,18 @@ import { broadPhases } from "./broad.js";
 /** Functions of JavaScript that the module calls. */
 function callbackImports(core) {
   const id = (index, generation) => ({ index, generation });
+  const supported = (dimensions) => (key, direction, point) => {
+    const from = Array.from(core.numbers(direction, dimensions));
+    const to = core.called(key, from, (support) => support(from));
+    core.numbers(point, dimensions).set(to);
+  };
   return {
     allow: (key, a, generationA, b, generationB) =>
       core.called(key, 1, (allow) => (allow(id(a >>> 0, generationA >>> 0), id(b >>> 0, generationB >>> 0)) ? 1 : 0)),
     accept: (key, index, generation) =>
       core.called(key, 1, (accept) => (accept(id(index >>> 0, generation >>> 0)) ? 1 : 0)),
-    support(key, direction, point) {
-      const from = Array.from(core.numbers(direction, 3));
-      const to = core.called(key, from, (support) => support(from));
-      core.numbers(point, 3).set(to);
-    },
+    support: supported(3),
+    planeSupport: supported(2),
     release: (key) => core.callbacks.delete(key),
     ...drawImports(core),
     ...captureImports(core),

@@ -7,7 +7,7 @@ import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
 import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
-import { sides } from "./shapes.js";
+import { sides, userConvex } from "./shapes.js";
 import { simulationClasses } from "./simulation.js";
 import { worldClasses } from "./world.js";
 
@@ -94,6 +94,11 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       super(made("ellipse", () => [vec2(radii, "ellipse.radii")]));
     }
   }
+  class UserConvex extends Shape {
+    constructor(support) {
+      super(userConvex(core, "plane_user_convex", support));
+    }
+  }
   class HalfPlane extends Shape {
     constructor() {
       super(made("half_plane", () => []));
@@ -156,7 +161,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
 
   const names = {
     World: worlds.World, ...simulations,
-    Shape, Circle, Capsule, Box, Segment, Convex, Ellipse, HalfPlane, Polygon, Chain, Compound,
+    Shape, Circle, Capsule, Box, Segment, Convex, Ellipse, UserConvex, HalfPlane, Polygon, Chain, Compound,
     ...ask.framed({
       ...ask.asked,
       ...ask.untraced,

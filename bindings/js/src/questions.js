@@ -98,8 +98,15 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
       found(types.castHit, (there, p) => call(`cast${ending}`, ...moved(...question), there, p, ...trace)),
   });
 
+  const plainly = asked("");
   /** Queries of shapes and their contacts that have no trace. */
   const untraced = {
+    contacts(a, poseA, b, poseB, margin = 0, most = undefined) {
+      if (most === undefined) return plainly.contacts(a, poseA, b, poseB, margin);
+      const p = core.room(layout.contacts.size);
+      call("contacts_reduced", ...two(a, poseA, b, poseB), margin, most, room(), p);
+      return contactsAt(p);
+    },
     contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
     featureCorners(shape, feature, piece = 0) {
       if (!Number.isInteger(feature) || feature < 0 || feature > 0xffff)
@@ -128,7 +135,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
         core.exports.graze_trace_destroy(trace);
       }
     };
-    return framed(Object.fromEntries(Object.keys(asked("")).map((name) => [name, explained(name)])));
+    return framed(Object.fromEntries(Object.keys(plainly).map((name) => [name, explained(name)])));
   };
   /** Each query with its trace, as plain objects. */
   const traced = () => {
@@ -137,7 +144,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   };
 
   return {
-    asked: asked(""), untraced, framed, explaining, traced, call, two, yes, found, room, place, listed, manifolds, contactsAt, ray, length,
+    asked: plainly, untraced, framed, explaining, traced, call, two, yes, found, room, place, listed, manifolds, contactsAt, ray, length,
     moving, writeMoving, separating, back, backs };
 }
 
@@ -151,12 +158,6 @@ export function spaceQuestions(core, layout, args, shapes) {
   const plain = ask.framed({
     ...ask.asked,
     ...ask.untraced,
-    contacts(a, poseA, b, poseB, margin = 0, most = undefined) {
-      if (most === undefined) return ask.asked.contacts(a, poseA, b, poseB, margin);
-      const p = core.room(layout.contacts.size);
-      call("contacts_reduced", ...two(a, poseA, b, poseB), margin, most, room(), p);
-      return ask.contactsAt(p);
-    },
     mayOverlap: (a, poseA, b, poseB) => yes("may_overlap", ...two(a, poseA, b, poseB)),
     within: (a, poseA, b, poseB, limit) => yes("within", ...two(a, poseA, b, poseB), limit),
     distanceUpTo: (a, poseA, b, poseB, limit) =>

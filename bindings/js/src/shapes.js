@@ -47,6 +47,23 @@ export function argumentsOf(core, layout) {
   return { written, pose, rows, answered, vec3: (v, path) => written(layout.vec3, v, path) };
 }
 
+/** A convex shape whose support function is the caller's, made by the module's function of that name. */
+export function userConvex(core, name, support) {
+  if (typeof support !== "function")
+    throw new InvalidValue(`userConvex.support: expected a function, got ${shown(support)}`);
+  const key = core.keep(support);
+  return core.frame(() => {
+    const result = core.room(4);
+    try {
+      core.check(core.exports[`graze_js_${name}_${core.scalar}`](key, result));
+    } catch (error) {
+      core.callbacks.delete(key); // the shape that would have released it is not there
+      throw error;
+    }
+    return core.data.getUint32(result, true);
+  });
+}
+
 export function shapeClasses(core, layout, args, Handle) {
   const { vec3, pose, rows, answered, written } = args;
   const release = (pointer) => core.exports[`graze_shape_release_${core.scalar}`](pointer);
@@ -146,21 +163,7 @@ export function shapeClasses(core, layout, args, Handle) {
   }
   class UserConvex extends Shape {
     constructor(support) {
-      if (typeof support !== "function")
-        throw new InvalidValue(`userConvex.support: expected a function, got ${shown(support)}`);
-      const key = core.keep(support);
-      super(
-        core.frame(() => {
-          const result = core.room(4);
-          try {
-            core.check(core.exports[`graze_js_user_convex_${core.scalar}`](key, result));
-          } catch (error) {
-            core.callbacks.delete(key); // the shape that would have released it is not there
-            throw error;
-          }
-          return core.data.getUint32(result, true);
-        }),
-      );
+      super(userConvex(core, "user_convex", support));
     }
   }
   class Mesh extends Shape {
