@@ -75,7 +75,7 @@ def test_questions_to_a_world_are_those_to_each_body():
         origin = -6 * direction / np.linalg.norm(direction)
         hits = [h.t for s, r in zip(shapes, rows) if (h := plane.raycast(s, r, origin, direction))]
         found = world.raycast(origin, direction)
-        assert (found is None) == (not hits)
+        assert (found is None) == (not hits) == (not world.raycast_any(origin, direction))
         assert [h.t for _, h in world.raycast_all(origin, direction)] == pytest.approx(sorted(hits), abs=1e-9)
         if hits:
             assert found[1].t == pytest.approx(min(hits), abs=1e-9) and found[0] in world
@@ -83,6 +83,9 @@ def test_questions_to_a_world_are_those_to_each_body():
     probe = plane.Circle(0.1)
     alone = [plane.cast(probe, (-9, 0.3), (20, 0), s, r, (0, 0), angular_a=1.0) for s, r in zip(shapes, rows)]
     assert met[1].t == pytest.approx(min(h.t for h in alone if h), abs=1e-6)
+    all_met = world.cast_all(plane.Circle(0.1), (-9, 0.3), (20, 0), angular=1.0)
+    assert all_met[0][0] == met[0] and sorted(i.index for i, _ in all_met) == [i.index for i, h in zip(ids, alone) if h]
+    assert world.overlaps_any(probe, rows[0][:2]) and not world.overlaps_any(probe, (99, 0))
 
 
 def test_events_impacts_filters_and_triggers():

@@ -86,7 +86,7 @@ def test_questions_to_a_world_are_those_to_each_body():
         origin = -5 * direction / np.linalg.norm(direction)
         hits = [(h.t, i) for i, h in zip(ids, (graze.raycast(shape, r, origin, direction) for r in rows)) if h]
         found = world.raycast(origin, direction)
-        assert (found is None) == (not hits)
+        assert (found is None) == (not hits) == (not world.raycast_any(origin, direction))
         if hits:
             assert found[1].t == pytest.approx(min(t for t, _ in hits), abs=1e-9)
             assert sorted(h.t for _, h in world.raycast_all(origin, direction)) == pytest.approx(
@@ -99,6 +99,49 @@ def test_questions_to_a_world_are_those_to_each_body():
         if h
     )
     assert hit.t == pytest.approx(first, abs=1e-6) and body in world
+    met = world.cast_all(graze.Sphere(0.1), (-9, 0, 0), (10, 0, 0))
+    assert [(i, h.t) for i, h in met][0] == (body, hit.t) and [h.t for _, h in met] == sorted(h.t for _, h in met)
+    alone = [graze.cast(graze.Sphere(0.1), (-9, 0, 0), (10, 0, 0), shape, r, (0, 0, 0)) for r in rows]
+    assert sorted(i.index for i, _ in met) == [i.index for i, h in zip(ids, alone) if h]
+    assert world.overlaps_any(probe, place) and not world.overlaps_any(probe, (9, 9, 9))
+
+
+def test_a_shape_slides_along_what_is_in_its_way():
+    world = graze.World()
+    floor = world.add(graze.HalfSpace(), fixed=True)
+    wall = world.add(graze.Box((1, 4, 8)), (3, 0, 0), fixed=True)
+    ball = graze.Sphere(0.5)
+    end, left, touched = world.slide(ball, (0, 2, 0), (4, -4, 1))
+    np.testing.assert_allclose(end.translation, (2, 0.5, 1), atol=1e-5)
+    np.testing.assert_allclose(left, 0, atol=1e-5)
+    assert {body for body, _ in touched} == {floor, wall} and touched[0][1].t <= touched[1][1].t
+    end, left, touched = world.slide(ball, (0, 2, 0), (4, -4, 1), casts=1)
+    assert len(touched) == 1 and np.linalg.norm(left) > 1
+    end, left, touched = world.slide(ball, (0, 2, 0), (1, 0, 0))
+    np.testing.assert_array_equal(end.translation, (1, 2, 0))
+    assert touched == []
+    for motion, casts, what in [((np.nan, 0, 0), 6, "motion"), ((1, 0, 0), 0, "casts: expected a number >= 1, got 0")]:
+        with pytest.raises(ValueError, match=what):
+            world.slide(ball, (0, 2, 0), motion, casts=casts)
+
+
+def test_pairs_are_reduced_and_impacts_found_without_an_update():
+    world = graze.World()
+    wall = world.add(graze.Box((0.1, 5, 5)), fixed=True)
+    world.add(graze.Box((1, 1, 1)), (0.5, 0, 0))
+    bullet = world.add(graze.Sphere(0.05), (-3, 0, 0), linear=(100, 0, 0))
+    world.update(0.1)
+    assert len(world.points) == 4 and world.impacts == []
+    world.reduce(2)
+    [manifold] = world.manifolds
+    assert len(world.points) == 2 and manifold["point_count"] == 2
+    with pytest.raises(ValueError, match="count: expected a number >= 1, got 0"):
+        world.reduce(0)
+    world.set_fast(bullet, True)
+    world.find_impacts(0.1)
+    assert {wall, bullet} in [{a, b} for a, b, _, _ in world.impacts]
+    with pytest.raises(ValueError, match="duration: expected a finite number >= 0, got -1"):
+        world.find_impacts(-1)
 
 
 def test_filters_triggers_and_fast_bodies():

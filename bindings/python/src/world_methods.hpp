@@ -5,6 +5,8 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "answers.hpp"
+#include "graze/slide.hpp"
+#include "graze/world/reduce.hpp"
 #include "world.hpp"
 
 namespace graze::python {
@@ -14,6 +16,11 @@ inline constexpr std::uint64_t all_bits = ~std::uint64_t{0};
 
 inline QueryFilter query_filter(std::uint64_t category, std::uint64_t mask, bool triggers) {
   return {Filter{category, mask, 0}, triggers, {}};
+}
+inline double checked_duration(double duration) {
+  if (!(duration >= 0 && duration <= largest_magnitude<double>))
+    validate::fail("duration", "a finite number >= 0", duration);
+  return duration;
 }
 inline double checked_reach(double value, const char* name) {
   if (!(value >= 0)) validate::fail(name, "a number >= 0", value);
@@ -55,7 +62,18 @@ class WorldMethods {
              (std::string("What a solver has pushed at each of `points`, shape (n, ") +
               std::to_string(Words::vector_size) +
               ").\n\nThe next update carries it on to the points that are the same.")
-                 .c_str());
+                 .c_str())
+        .def(
+            "reduce",
+            [](Own& w, std::size_t count) {
+              if (count == 0) validate::fail("count", "a number >= 1", 0);
+              graze::reduce(w.change()->contacts(), count);
+            },
+            py::arg("count"),
+            R"(Keeps at most `count` points of each pair, of all its manifolds together: those that span most.
+
+Until the next update, which finds a pair whole again where anything of it changed; `points_per_pair`
+does it in every update. Raises ValueError for no points.)");
     add_changes(world);
   }
 
@@ -228,6 +246,13 @@ pass through. Raises ValueError for a pose or velocity that is not finite.)")
         .def(
             "set_filter", [](Own& w, BodyId id, const Filter& filter) { w.change()->set_filter(id, filter); },
             py::arg("body"), py::arg("filter"), "Another filter for a body.")
+        .def(
+            "set_fast", [](Own& w, BodyId id, bool fast) { w.change()->set_fast(id, fast); }, py::arg("body"),
+            py::arg("fast"), "Whether a body is asked what it would pass through before the next update.")
+        .def(
+            "find_impacts", [](Own& w, double duration) { w.change()->find_impacts(checked_duration(duration)); },
+            py::arg("duration"),
+            "What fast bodies would pass through within `duration`, as `impacts`, without an update.")
         .def("update", &Own::update, py::arg("duration") = 0.0,
              R"(Finds what touches now, and what fast bodies would pass through within `duration`.
 
@@ -305,6 +330,14 @@ ValueError for a duration that is negative or not finite.)");
             py::arg("shape"), py::arg("pose") = py::none(), py::arg("category") = all_bits, py::arg("mask") = all_bits,
             py::arg("triggers") = false, "The bodies that touch a shape, by index.")
         .def(
+            "overlaps_any",
+            [](const View& w, const Shape& shape, const Placement& pose, std::uint64_t category, std::uint64_t mask,
+               bool triggers) {
+              return w.read()->overlaps_any(Words::value_of(shape), pose.value, query_filter(category, mask, triggers));
+            },
+            py::arg("shape"), py::arg("pose") = py::none(), py::arg("category") = all_bits, py::arg("mask") = all_bits,
+            py::arg("triggers") = false, "Whether any body touches a shape; ends at the first.")
+        .def(
             "nearest",
             [](const View& w, const Shape& shape, const Placement& pose, std::size_t count, double limit,
                std::uint64_t category, std::uint64_t mask, bool triggers) {
@@ -322,15 +355,45 @@ ValueError for a duration that is negative or not finite.)");
             "cast",
             [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
                const Turning& angular, std::uint64_t category, std::uint64_t mask, bool triggers) {
-              if (!(duration >= 0 && duration <= largest_magnitude<double>))
-                validate::fail("duration", "a finite number >= 0", duration);
               return pair_or_none(w.read()->cast(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
-                                                 duration, query_filter(category, mask, triggers)));
+                                                 checked_duration(duration), query_filter(category, mask, triggers)));
             },
             py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
             py::arg("angular") = Turning{}, py::arg("category") = all_bits, py::arg("mask") = all_bits,
             py::arg("triggers") = false,
-            "The first body that a moving shape meets: (BodyId, CastHit) or None; the bodies stand still.");
+            "The first body that a moving shape meets: (BodyId, CastHit) or None; the bodies stand still.")
+        .def(
+            "cast_all",
+            [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
+               const Turning& angular, std::uint64_t category, std::uint64_t mask, bool triggers) {
+              std::vector<BodyCastHit<double, Space>> hits;
+              w.read()->cast_all(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
+                                 checked_duration(duration), query_filter(category, mask, triggers), hits);
+              return pairs_of(hits);
+            },
+            py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
+            py::arg("angular") = Turning{}, py::arg("category") = all_bits, py::arg("mask") = all_bits,
+            py::arg("triggers") = false,
+            "All bodies that a moving shape meets, each where it is first met, in the order of time.");
+    if constexpr (Words::vector_size == 3) add_slide(view);
+  }
+
+  static void add_slide(ViewClass& view) {
+    view.def(
+        "slide",
+        [](const View& w, const Shape& shape, const Placement& pose, const Vector& motion, int casts,
+           std::uint64_t category, std::uint64_t mask, bool triggers) {
+          if (casts < 1) validate::fail("casts", "a number >= 1", casts);
+          const auto found = slide(Words::value_of(shape), pose.value, validate::point(motion.value, "motion"),
+                                   *w.read(), query_filter(category, mask, triggers), SlideOptions{casts});
+          return py::make_tuple(found.pose, Words::object_of(found.left), pairs_of(found.touched));
+        },
+        py::arg("shape"), py::arg("pose"), py::arg("motion"), py::arg("casts") = SlideOptions{}.iterations,
+        py::arg("category") = all_bits, py::arg("mask") = all_bits, py::arg("triggers") = false,
+        R"(Moves a shape by `motion` until it touches, then along what it touches, and so on, without turning.
+
+Returns (Pose where it ends, what is left of the motion after so many casts, what was in the way:
+(BodyId, CastHit) in the order in which it was met). The bodies stand still. Raises ValueError.)");
   }
 
   static void add_ray_questions(ViewClass& view) {
@@ -344,6 +407,15 @@ ValueError for a duration that is negative or not finite.)");
             py::arg("origin"), py::arg("direction"), py::arg("length") = infinity, py::arg("category") = all_bits,
             py::arg("mask") = all_bits, py::arg("triggers") = false,
             "The first body that a ray hits: (BodyId, RayHit) or None.")
+        .def(
+            "raycast_any",
+            [](const View& w, const Vector& origin, const Vector& direction, double length, std::uint64_t category,
+               std::uint64_t mask, bool triggers) {
+              return w.read()->raycast_any({origin.value, direction.value}, checked_reach(length, "length"),
+                                           query_filter(category, mask, triggers));
+            },
+            py::arg("origin"), py::arg("direction"), py::arg("length") = infinity, py::arg("category") = all_bits,
+            py::arg("mask") = all_bits, py::arg("triggers") = false, "Whether a ray hits any body; ends at the first.")
         .def(
             "raycast_all",
             [](const View& w, const Vector& origin, const Vector& direction, double length, std::uint64_t category,
