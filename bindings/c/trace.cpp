@@ -3,7 +3,7 @@
 
 #include "c/draw.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace {
@@ -79,31 +79,105 @@ void see(const std::vector<From>& from, std::vector<To>& to, const To*& first, s
   count = to.size();
 }
 
-/// Moves the step with that number, of those of a trace one kind after the other, to a trace of its own.
-template <class Step>
-bool take(const std::vector<Step>& from, std::vector<Step>& to, size_t& step) {
-  if (step < from.size()) {
-    to.push_back(from[step]);
-    return true;
-  }
-  step -= from.size();
-  return false;
-}
+// What C tells as a trace's contents, checked.
 
-/// One step as a trace that has no other, its axis the one that decides.
-graze::Trace step_of(const graze::Trace& told, size_t step) {
-  const size_t count = told.axes.size() + told.gjk.size() + told.epa.size() + told.cuts.size();
-  if (step >= count) graze::validate::fail("step", "a number below " + std::to_string(count), std::to_string(step));
-  graze::Trace out;
-  if (take(told.axes, out.axes, step)) {
-    out.winner = out.axes[0].name;
-  } else if (!take(told.gjk, out.gjk, step) && !take(told.epa, out.epa, step)) {
-    take(told.cuts, out.cuts, step);
-    out.face_a = told.face_a, out.face_b = told.face_b;
-  } else {
-    out.difference = told.difference;
+/// A finite point or direction.
+graze::Vec3d told_vector(const double (&v)[3], const char* path) {
+  const graze::Vec3d out{v[0], v[1], v[2]};
+  graze::validate::point(out, path);
+  return out;
+}
+graze::TraceSupport told(const GrazeTraceSupport& s, const char* path) {
+  return {told_vector(s.a, path), told_vector(s.b, path)};
+}
+std::string told(const char* words) { return words == nullptr ? "" : words; }
+
+std::vector<graze::TraceSupport> told_supports(const GrazeTraceSupport* first, size_t count, const char* path) {
+  std::vector<graze::TraceSupport> out;
+  for (size_t i = 0; i < count; ++i) out.push_back(told(graze::c::array(first, count, path)[i], path));
+  return out;
+}
+std::vector<graze::Vec3d> told_corners(const double* first, size_t count, const char* path) {
+  std::vector<graze::Vec3d> out;
+  for (size_t i = 0; i < count; ++i) {
+    const double* p = graze::c::array(first, count, path) + 3 * i;
+    out.push_back({p[0], p[1], p[2]});
+    graze::validate::point(out.back(), path);
   }
   return out;
+}
+
+graze::TraceAxis told(const GrazeTraceAxis& axis, const char* path) {
+  for (const double end : {axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper})
+    if (std::isnan(end)) graze::validate::fail(path, "an interval", end);
+  return {told(axis.name), told_vector(axis.direction, path), axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper};
+}
+graze::TraceGjk told(const GrazeTraceGjk& step, const char* path) {
+  return {told_supports(step.simplex, step.simplex_count, path), told_vector(step.direction, path),
+          told(step.found, path), step.lower, step.upper, told_supports(step.polygon, step.polygon_count, path)};
+}
+graze::TraceEpa told(const GrazeTraceEpa& step, const char* path) {
+  if (!std::isfinite(step.face_depth)) graze::validate::fail(path, "a finite depth", step.face_depth);
+  return {told_vector(step.normal, path), step.face_depth, step.found_depth, told(step.found, path), step.faces,
+          told_supports(step.polygon, step.polygon_count, path)};
+}
+graze::TraceCut told(const GrazeTraceCut& cut, const char* path) {
+  return {told_vector(cut.from, path), told_vector(cut.to, path), told_corners(cut.left, cut.left_count, path)};
+}
+
+template <class From, class To>
+void tell(const From* first, size_t count, std::vector<To>& to, const char* path) {
+  graze::c::array(first, count, path);
+  for (size_t i = 0; i < count; ++i) to.push_back(told(first[i], graze::c::at(path, i).c_str()));
+}
+
+/// The parts of a trace that are drawn.
+graze::Trace drawn_of(const GrazeTraceView* from) {
+  const GrazeTraceView& view = *given(from, "view");
+  graze::Trace out;
+  out.winner = told(view.winner);
+  tell(view.axes, view.axis_count, out.axes, "view.axes");
+  tell(view.gjk, view.gjk_count, out.gjk, "view.gjk");
+  tell(view.epa, view.epa_count, out.epa, "view.epa");
+  tell(view.cuts, view.cut_count, out.cuts, "view.cuts");
+  out.difference = told_supports(view.difference, view.difference_count, "view.difference");
+  out.polytope = told_supports(view.polytope, view.polytope_count, "view.polytope");
+  graze::c::array(view.triangles, view.triangle_count, "view.triangles");
+  for (size_t i = 0; i < view.triangle_count; ++i) {
+    auto& triangle = out.triangles.emplace_back();
+    for (size_t k = 0; k < 3; ++k) {
+      triangle[k] = view.triangles[i].corner[k];
+      if (triangle[k] >= out.polytope.size())
+        graze::validate::fail(graze::c::at("view.triangles", i), "numbers of vertices of the polytope",
+                              std::to_string(triangle[k]));
+    }
+  }
+  out.face_a = told_corners(view.face_a, view.face_a_count, "view.face_a");
+  out.face_b = told_corners(view.face_b, view.face_b_count, "view.face_b");
+  return out;
+}
+
+/// One step: an axis as the one that decides, an iteration or an expansion in the difference, or a cut of the faces.
+void draw_step(graze::DebugDraw& on, const graze::Trace& trace, size_t step) {
+  const auto &axes = trace.axes;
+  const auto &gjk = trace.gjk;
+  const auto &epa = trace.epa;
+  const auto &cuts = trace.cuts;
+  const size_t count = axes.size() + gjk.size() + epa.size() + cuts.size();
+  if (step >= count) graze::validate::fail("step", "a number below " + std::to_string(count), std::to_string(step));
+  if (step < axes.size()) return draw(on, axes[step]);
+  step -= axes.size();
+  graze::Trace around;
+  const bool searched = step < gjk.size() + epa.size();
+  if (searched) {
+    around.difference = trace.difference;
+  } else {
+    around.face_a = trace.face_a, around.face_b = trace.face_b;
+  }
+  draw(on, around);
+  if (step < gjk.size()) return draw(on, gjk[step]);
+  if (searched) return draw(on, epa[step - gjk.size()]);
+  draw(on, cuts[step - gjk.size() - epa.size()]);
 }
 
 }  // namespace
@@ -164,7 +238,21 @@ GrazeStatus graze_trace_draw(const GrazeTrace* trace, const GrazeDebugDraw* on) 
 GrazeStatus graze_trace_step_draw(const GrazeTrace* trace, size_t step, const GrazeDebugDraw* on) {
   return guarded([&] {
     graze::c::CallersDraw canvas(on);
-    draw(canvas, step_of(opened(trace, "trace").told, step));
+    draw_step(canvas, opened(trace, "trace").told, step);
+  });
+}
+
+GrazeStatus graze_trace_view_draw(const GrazeTraceView* view, const GrazeDebugDraw* on) {
+  return guarded([&] {
+    graze::c::CallersDraw canvas(on);
+    draw(canvas, drawn_of(view));
+  });
+}
+
+GrazeStatus graze_trace_view_step_draw(const GrazeTraceView* view, size_t step, const GrazeDebugDraw* on) {
+  return guarded([&] {
+    graze::c::CallersDraw canvas(on);
+    draw_step(canvas, drawn_of(view), step);
   });
 }
 

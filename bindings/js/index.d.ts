@@ -537,10 +537,50 @@ export const draw: {
   area(world: WorldQueries): { center: number[]; size: number };
   /** The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255. */
   color(meaning: DrawMeaning): [number, number, number];
-  /** Runs a query, draws its steps, or one of them (axes, iterations of GJK, expansions of EPA, cuts, counted from 0 in
-   *  this order), and returns its answer. */
+  /** What a query did, whole or in part: what is absent is not drawn. `step` is one step of it, counted as in
+   *  `explained`. */
+  trace(trace: DrawnTrace, renderer: Renderer, options?: { readonly step?: number }): void;
+  /** Asks, draws what the question did, or one step of it (axes, iterations of GJK, expansions of EPA, cuts, counted from
+   *  0 in this order), and answers. */
   explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
 };
+export interface DrawnSupport {
+  readonly a: ArrayLike<number>;
+  readonly b: ArrayLike<number>;
+}
+/** The parts of a `Trace` that are drawn, also from elsewhere. Places of the plane may have two numbers. */
+export interface DrawnTrace {
+  readonly winner?: string;
+  readonly axes?: readonly {
+    readonly name: string;
+    readonly direction: ArrayLike<number>;
+    readonly a: ArrayLike<number>;
+    readonly b: ArrayLike<number>;
+  }[];
+  readonly gjk?: readonly {
+    readonly simplex: readonly DrawnSupport[];
+    /** Zero where the simplex holds the origin: nothing was looked for and found. */
+    readonly direction: ArrayLike<number>;
+    readonly found?: DrawnSupport;
+    readonly polygon?: readonly DrawnSupport[];
+  }[];
+  readonly epa?: readonly {
+    readonly normal: ArrayLike<number>;
+    readonly faceDepth: number;
+    readonly found?: DrawnSupport;
+    readonly polygon?: readonly DrawnSupport[];
+  }[];
+  readonly difference?: readonly DrawnSupport[];
+  readonly polytope?: readonly DrawnSupport[];
+  readonly triangles?: readonly ArrayLike<number>[];
+  readonly faceA?: readonly ArrayLike<number>[];
+  readonly faceB?: readonly ArrayLike<number>[];
+  readonly cuts?: readonly {
+    readonly from: ArrayLike<number>;
+    readonly to: ArrayLike<number>;
+    readonly left: readonly ArrayLike<number>[];
+  }[];
+}
 export interface Explained {
   overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
   distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
@@ -1328,6 +1368,7 @@ export declare namespace plane {
     joint(
       joint: { readonly frameA?: PoseLike; readonly frameB?: PoseLike }, poseA: PoseLike, poseB: PoseLike,
       renderer: Renderer): void;
+    trace(trace: DrawnTrace, renderer: Renderer, options?: { readonly step?: number }): void;
     explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
     world(world: WorldQueries, renderer: Renderer): void;
     simulation(simulation: Simulation, renderer: Renderer): void;

@@ -149,6 +149,10 @@ GRAZE_API void draw(DebugDraw& on, const Trace& trace);
 GRAZE_API void draw(DebugDraw& on, const TraceGjk& iteration);
 /// One expansion of EPA: the polytope's polygon, and the support point that was found.
 GRAZE_API void draw(DebugDraw& on, const TraceEpa& expansion);
+/// One separating axis as above: with its name and what the intervals share or leave free where it decides.
+GRAZE_API void draw(DebugDraw& on, const TraceAxis& axis, bool decides = true);
+/// One cut of a face: the side of the other face that cuts, and what is left, with its corners.
+GRAZE_API void draw(DebugDraw& on, const TraceCut& cut);
 
 /// The boxes of a tree: the bounds of its nodes, and the boxes in it.
 template <class T>

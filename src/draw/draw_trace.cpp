@@ -1,5 +1,6 @@
 // The drawing of a query's steps.
 #include <algorithm>
+#include <cmath>
 
 #include "graze/draw.hpp"
 
@@ -12,24 +13,6 @@ constexpr DrawLayer layer = DrawLayer::trace;
 /// The distance between intervals that are drawn beside each other, in parts of the area.
 constexpr double beside = 1.0 / 60;
 
-void draw_axis(DebugDraw& on, const TraceAxis& axis, bool winner) {
-  const Vec3d& along = axis.direction;
-  const Vec3d foot = on.area().center - along * dot(along, on.area().center);
-  const Vec3d aside = any_perpendicular(along) * (on.area().size * beside);
-  const auto interval = [&](double lower, double upper, const Vec3d& at, DrawMeaning meaning) {
-    // The interval of a half-space has no end.
-    const double near = dot(along, on.area().center) - on.area().size;
-    const double from = std::max(lower, near), to = std::min(upper, near + 2 * on.area().size);
-    if (from <= to) on.line(at + along * from, at + along * to, layer, meaning);
-  };
-  interval(axis.a_lower, axis.a_upper, foot - aside, winner ? DrawMeaning::a : DrawMeaning::ruled_out);
-  interval(axis.b_lower, axis.b_upper, foot + aside, winner ? DrawMeaning::b : DrawMeaning::ruled_out);
-  if (!winner) return;
-  const double from = std::min(axis.a_upper, axis.b_lower), to = std::max(axis.a_upper, axis.b_lower);
-  on.line(foot + along * from, foot + along * to, layer, axis.overlap() >= 0 ? DrawMeaning::contact : DrawMeaning::gap);
-  on.text(foot + along * ((from + to) / 2), axis.name, layer, DrawMeaning::normal);
-}
-
 Vec3d difference(const TraceSupport& support) { return support.b - support.a; }
 
 void draw_outline(DebugDraw& on, const std::vector<TraceSupport>& polygon, DrawMeaning meaning) {
@@ -41,6 +24,9 @@ void draw_face(DebugDraw& on, const std::vector<Vec3d>& corners, DrawMeaning mea
   for (std::size_t i = 0; i < corners.size(); ++i)
     on.line(corners[i], corners[(i + 1) % corners.size()], layer, meaning);
 }
+
+/// Whether an iteration searched: one whose simplex holds the origin has no direction, and finds nothing.
+bool searched(const TraceGjk& iteration) { return max_abs(iteration.direction) > 0; }
 
 void draw_simplex(DebugDraw& on, const std::vector<TraceSupport>& simplex) {
   for (std::size_t i = 0; i < simplex.size(); ++i) {
@@ -71,6 +57,7 @@ void draw(DebugDraw& on, const TraceGjk& iteration) {
   draw_outline(on, iteration.polygon, DrawMeaning::ruled_out);
   draw_simplex(on, iteration.simplex);
   draw_origin(on);
+  if (!searched(iteration)) return;
   on.point(difference(iteration.found), layer, DrawMeaning::contact);
   on.arrow({}, normalized(iteration.direction), layer, DrawMeaning::normal);
 }
@@ -83,9 +70,38 @@ void draw(DebugDraw& on, const TraceEpa& expansion) {
   on.point(difference(expansion.found), layer, DrawMeaning::contact);
 }
 
+void draw(DebugDraw& on, const TraceAxis& axis, bool decides) {
+  if (!on.wants(layer)) return;
+  const Vec3d& along = axis.direction;
+  const double middle = dot(along, on.area().center);
+  const Vec3d foot = on.area().center - along * middle;
+  const Vec3d aside = any_perpendicular(along) * (on.area().size * beside);
+  // A half-space's interval has no end.
+  const auto end = [&](double at) {
+    return std::isfinite(at) ? at : middle + std::copysign(on.area().size, at);
+  };
+  const auto interval = [&](double lower, double upper, const Vec3d& at, DrawMeaning meaning) {
+    const double from = end(lower), to = end(upper);
+    if (from <= to) on.line(at + along * from, at + along * to, layer, meaning);
+  };
+  interval(axis.a_lower, axis.a_upper, foot - aside, decides ? DrawMeaning::a : DrawMeaning::ruled_out);
+  interval(axis.b_lower, axis.b_upper, foot + aside, decides ? DrawMeaning::b : DrawMeaning::ruled_out);
+  if (!decides) return;
+  const double from = end(std::min(axis.a_upper, axis.b_lower)), to = end(std::max(axis.a_upper, axis.b_lower));
+  on.line(foot + along * from, foot + along * to, layer, axis.overlap() >= 0 ? DrawMeaning::contact : DrawMeaning::gap);
+  on.text(foot + along * ((from + to) / 2), axis.name, layer, DrawMeaning::normal);
+}
+
+void draw(DebugDraw& on, const TraceCut& cut) {
+  if (!on.wants(layer)) return;
+  on.line(cut.from, cut.to, layer, DrawMeaning::normal);
+  draw_face(on, cut.left, DrawMeaning::contact);
+  for (const Vec3d& corner : cut.left) on.point(corner, layer, DrawMeaning::contact);
+}
+
 void draw(DebugDraw& on, const Trace& trace) {
   if (!on.wants(layer)) return;
-  for (const TraceAxis& axis : trace.axes) draw_axis(on, axis, axis.name == trace.winner);
+  for (const TraceAxis& axis : trace.axes) draw(on, axis, axis.name == trace.winner);
   draw_face(on, trace.face_a, DrawMeaning::a);
   draw_face(on, trace.face_b, DrawMeaning::b);
   if (!trace.cuts.empty()) draw_face(on, trace.cuts.back().left, DrawMeaning::contact);

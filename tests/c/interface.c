@@ -618,6 +618,13 @@ static void test_draw(void) {
   OK(graze_trace_step_draw(trace, view.axis_count - 1, &on)); /* two intervals, their overlap, and the name */
   EXPECT(drawn.texts == 2 && drawn.lines[GRAZE_DRAW_TRACE] == before + 3);
   EXPECT(graze_trace_step_draw(trace, 1000, &on) == GRAZE_INVALID_VALUE);
+  const int texts = drawn.texts, lines = drawn.lines[GRAZE_DRAW_TRACE];
+  OK(graze_trace_view_draw(&view, &on)); /* what the trace itself drew */
+  EXPECT(drawn.texts == texts + 1 && drawn.lines[GRAZE_DRAW_TRACE] == lines + before);
+  OK(graze_trace_view_step_draw(&view, view.axis_count - 1, &on));
+  EXPECT(drawn.texts == texts + 2 && drawn.lines[GRAZE_DRAW_TRACE] == lines + before + 3);
+  view.gjk_count = 1, view.gjk = NULL;
+  EXPECT(graze_trace_view_draw(&view, &on) == GRAZE_INVALID_VALUE);
   uint8_t rgb[3];
   OK(graze_draw_color(GRAZE_MEANS_CONTACT, rgb));
   EXPECT(rgb[0] > rgb[1]);

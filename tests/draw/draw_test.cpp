@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -220,6 +221,52 @@ TEST(DebugDraw, ATraceOfASearchShowsTheMinkowskiDifference) {
   EXPECT_EQ(count_of(drawn.points, DrawLayer::trace, DrawMeaning::normal) > 0,
             !trace.gjk.empty() || !trace.epa.empty());
   EXPECT_EQ(drawn.triangles.size(), trace.triangles.size());
+}
+
+TEST(DebugDraw, AnAxisStandsWhereTheAreaIsAndItsIntervalsHaveTheirTrueLengths) {
+  const TraceAxis axis{"A1", {0, 1, 0}, -2, 5, 4, 30};
+  DrawRecorder drawn(DrawArea{{7, 100, 0}, 6});
+  draw(drawn, axis);
+  ASSERT_EQ(drawn.lines.size(), 3u);
+  const double lengths[] = {7, 26, 1};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& at = drawn.lines[i].at;
+    EXPECT_DOUBLE_EQ(at[1].y - at[0].y, lengths[i]) << "however small the area is";
+    EXPECT_NEAR(at[0].x, 7, 0.1 + 1e-12) << "a sixtieth of the area beside each other";
+  }
+  EXPECT_EQ(drawn.lines[2].meaning, DrawMeaning::contact);
+  ASSERT_EQ(drawn.texts.size(), 1u);
+  EXPECT_EQ(drawn.texts[0].at[0], (Vec3d{7, 4.5, 0}));
+
+  DrawRecorder endless(DrawArea{{0, 0, 0}, 6});
+  const double infinite = std::numeric_limits<double>::infinity();
+  draw(endless, TraceAxis{"normal", {0, 1, 0}, -infinite, 0, 1, 2});
+  ASSERT_EQ(endless.lines.size(), 3u);
+  EXPECT_DOUBLE_EQ(endless.lines[0].at[0].y, -6);
+
+  DrawRecorder other(DrawArea{{}, 6});
+  draw(other, axis, false);
+  EXPECT_EQ(count_of(other.lines, DrawLayer::trace, DrawMeaning::ruled_out), 2u);
+  EXPECT_TRUE(other.texts.empty());
+}
+
+TEST(DebugDraw, ACutShowsTheSideThatCutsAndWhatIsLeft) {
+  const TraceCut cut{{0, 0, 0}, {2, 0, 0}, {{0, 1, 0}, {2, 1, 0}, {1, 2, 0}}};
+  DrawRecorder drawn;
+  draw(drawn, cut);
+  ASSERT_EQ(drawn.lines.size(), 4u);
+  EXPECT_EQ(drawn.lines[0].meaning, DrawMeaning::normal);
+  EXPECT_EQ(drawn.lines[0].at, (std::vector<Vec3d>{cut.from, cut.to}));
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::trace, DrawMeaning::contact), 3u);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::trace, DrawMeaning::contact), 3u);
+}
+
+TEST(DebugDraw, AnIterationWhoseSimplexHoldsTheOriginHasNoDirection) {
+  const TraceGjk enclosed{{{{0, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {-1, -1, 0}}}, {}, {}, 0, 0};
+  DrawRecorder drawn;
+  draw(drawn, enclosed);
+  EXPECT_EQ(drawn.points.size(), 3u) << "two corners and the origin, nothing found";
+  EXPECT_EQ(drawn.lines.size(), 1u) << "no arrow";
 }
 
 TEST(DebugDraw, AWorldShowsEveryBodyByWhatItDoes) {

@@ -835,6 +835,31 @@ export const checks = [
     throws(() => graze.draw.explained(renderer, { step: length }).overlap(...overlapping),
       `step: expected a number below ${length}, got ${length}`, graze.InvalidValue);
 
+    // A trace as data draws what drew it when it was asked, whole and step by step; also where the plane has two numbers.
+    const corners = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]], two = (v) => v.slice(0, 2);
+    const tilted = { translation: [0.2, 1.8, 0.3], rotation: [0, 0, Math.sin(0.1), Math.cos(0.1)] };
+    const inPlane = [new graze.plane.Box([2, 1]), {}, new graze.plane.Capsule([-1, 0], [1, 0], 0.1), { translation: [0.5, 0.3] }];
+    for (const [library, query, args] of [
+      [graze, "contacts", [box, {}, box, tilted]], [graze, "distance", [new graze.ConvexHull(corners), {}, box, { translation: [0.5, 0.4, 0.1] }]],
+      [graze.plane, "distance", inPlane]]) {
+      const { trace } = library.traced[query](...args), { axes, gjk, epa, cuts } = trace;
+      const count = axes.length + gjk.length + epa.length + cuts.length;
+      ok(count > 0, `${query} has steps`);
+      for (const step of [undefined, ...Array.from({ length: count }, (_, i) => i)]) {
+        const asked = drawing(() => library.draw.explained(renderer, { step })[query](...args));
+        equal(drawing(() => library.draw.trace(trace, renderer, { step })), asked, `${query}, step ${step}, as data`);
+      }
+      throws(() => library.draw.trace(trace, renderer, { step: count }), `step: expected a number below ${count}, got ${count}`, graze.InvalidValue);
+    }
+    const { gjk: [iteration] } = graze.plane.traced.distance(...inPlane).trace;
+    const flatly = { simplex: iteration.simplex.map(({ a, b }) => ({ a: two(a), b: two(b) })), direction: two(iteration.direction),
+      found: { a: two(iteration.found.a), b: two(iteration.found.b) } };
+    equal(drawing(() => graze.draw.trace({ gjk: [flatly] }, renderer)), drawing(() => graze.draw.trace({ gjk: [{ ...iteration, polygon: [] }] }, renderer)), "two numbers");
+    equal(drawing(() => graze.draw.trace({}, renderer)), [], "a trace of nothing");
+    throws(() => graze.draw.trace({ triangles: [[0, 1, 2]] }, renderer), "view.triangles[0]: expected numbers of vertices of the polytope, got 0", graze.InvalidValue);
+    throws(() => graze.draw.trace({ faceA: [[0, NaN, 0]] }, renderer), "view.face_a.y: expected", graze.InvalidValue);
+    throws(() => graze.draw.trace({ cuts: [{ to: [0, 0, 0], left: [] }] }, renderer), "cuts[0].from: expected numbers, got undefined", graze.InvalidValue);
+
     // Answers, of space and of the plane: from vectors of three numbers or of two.
     const flat = (v) => v.slice(0, 2);
     for (const [library, cut] of [[graze, (v) => v], [graze.plane, flat]]) {

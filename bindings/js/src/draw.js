@@ -1,5 +1,6 @@
 // Debug draw: the library's objects and answers, drawn by a renderer of the caller's.
 
+import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
 
 const layers = ["shapes", "bounds", "tree", "contacts", "distances", "rays", "casts", "trace", "joints"];
@@ -39,6 +40,49 @@ function drawnOn(core, layout, renderer, body) {
   }
 }
 
+/** The parts of a trace that are drawn, as the C interface has them; the places of the plane may have two numbers. */
+function viewOf(core, layout, trace) {
+  const { winner = "", axes = [], gjk = [], epa = [], difference = [], polytope = [], triangles = [] } = trace;
+  const { faceA = [], faceB = [], cuts = [] } = trace;
+  const inSpace = (v, path) => (v?.length === 2 ? [v[0], v[1], 0] : given(v, path));
+  const given = (value, path) => {
+    if (value === undefined || value === null) throw new InvalidValue(`${path}: expected numbers, got ${shown(value)}`);
+    return value;
+  };
+  const all = (type, list, path, of) => {
+    const first = core.room(Math.max(1, list.length) * type.size);
+    list.forEach((one, i) => type.write(first + i * type.size, of(one, `${path}[${i}]`), `${path}[${i}]`));
+    return first;
+  };
+  const support = ({ a, b }, path) => ({ a: inSpace(a, `${path}.a`), b: inSpace(b, `${path}.b`) });
+  const supports = (list, path) => all(layout.support, list, path, support);
+  const corners = (list, path) => all(layout.realVector, list, path, inSpace);
+  const none = { a: [0, 0, 0], b: [0, 0, 0] };
+  const view = core.room(layout.traceView.size);
+  layout.traceView.write(view, {
+    winner: core.written(winner, "winner"),
+    axes: all(layout.traceAxis, axes, "axes", ({ name, direction, a, b }, path) => ({
+      name: core.written(name, `${path}.name`), direction: inSpace(direction, `${path}.direction`),
+      aLower: given(a, `${path}.a`)[0], aUpper: a[1], bLower: given(b, `${path}.b`)[0], bUpper: b[1] })),
+    gjk: all(layout.traceGjk, gjk, "gjk", ({ simplex, direction, found = none, polygon = [] }, path) => ({
+      simplex: supports(simplex, `${path}.simplex`), simplexCount: simplex.length,
+      direction: inSpace(direction, `${path}.direction`), found: support(found, `${path}.found`),
+      polygon: supports(polygon, `${path}.polygon`), polygonCount: polygon.length })),
+    epa: all(layout.traceEpa, epa, "epa", ({ normal, faceDepth, found = none, polygon = [] }, path) => ({
+      normal: inSpace(normal, `${path}.normal`), faceDepth, found: support(found, `${path}.found`),
+      polygon: supports(polygon, `${path}.polygon`), polygonCount: polygon.length })),
+    difference: supports(difference, "difference"), differenceCount: difference.length,
+    polytope: supports(polytope, "polytope"), polytopeCount: polytope.length,
+    triangles: all(layout.traceTriangle, triangles, "triangles", (t) => t), triangleCount: triangles.length,
+    faceA: corners(faceA, "faceA"), faceACount: faceA.length, faceB: corners(faceB, "faceB"), faceBCount: faceB.length,
+    cuts: all(layout.traceCut, cuts, "cuts", ({ from, to, left }, path) => ({
+      from: inSpace(from, `${path}.from`), to: inSpace(to, `${path}.to`),
+      left: corners(left, `${path}.left`), leftCount: left.length })),
+    axisCount: axes.length, gjkCount: gjk.length, epaCount: epa.length, cutCount: cuts.length,
+  }, "trace");
+  return view;
+}
+
 /** Drawing of a dimension's shapes, answers and explanations. */
 export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
   const { written } = args;
@@ -60,6 +104,11 @@ export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
     shape(shape, at, renderer, meaning = "a") {
       const means = named(meanings, meaning, "meaning");
       drawn(renderer, (on) => core.call(`${prefix}shape_draw`, of(shape), pose(at, "pose"), means, on));
+    },
+    trace(trace, renderer, { step } = {}) {
+      const { graze_trace_view_draw: whole, graze_trace_view_step_draw: one } = core.exports;
+      const view = viewOf(core, layout, trace);
+      drawn(renderer, (on) => core.check(step === undefined ? whole(view, on) : one(view, step, on)));
     },
     explained: (renderer, { step } = {}) =>
       ask.explaining((answer, trace) => {

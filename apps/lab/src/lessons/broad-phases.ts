@@ -172,8 +172,8 @@ export const broadPhases: Lesson = {
       title: `The structure: ${labels[kind]}`,
       text: `${how[kind]} ${drawn[kind]}`,
       numbers: parts.length > 0
-        ? { caption: "Parts of the structure", columns: ["", "how many"], rows: levels.map((depth) => ({ cells: [kind === "hashedGrid" ? "cells" : depth === 0 ? "the root" : `depth ${depth}`, parts.filter((p) => p.depth === depth).length], key: `depth-${depth}` })) }
-        : { caption: "Parts of the structure", columns: ["", "how many"], rows: [{ cells: ["boxes around boxes", 0] }] },
+        ? { caption: "Parts of the structure", columns: ["part", "how many"], rows: levels.map((depth) => ({ cells: [kind === "hashedGrid" ? "cells" : depth === 0 ? "the root" : `depth ${depth}`, parts.filter((p) => p.depth === depth).length], key: `depth-${depth}` })) }
+        : { caption: "Parts of the structure", columns: ["part", "how many"], rows: [{ cells: ["boxes around boxes", 0] }] },
       says: parts.length > 0 ? `${parts.length} parts on ${levels.length} levels.` : "Sorted lists have no parts in space.",
       draw(d) {
         drawParts(d, parts);
@@ -184,7 +184,7 @@ export const broadPhases: Lesson = {
       text: `A box that is none of the bodies: which of them does it overlap? Drag it. ${hits.size} of ${count} do. ` + (parts.length > 0
         ? `Of ${parts.length} parts ${met.size} meet the box` + (kind === "looseOctree" ? "; looked into are also those whose bodies stick out as far." : "; in the others nothing is looked at.")
         : "Sorted ends answer no question about a place but by a walk along them: the answer is the same, the way is longer."),
-      numbers: { caption: "The question", columns: ["", "value"], rows: [
+      numbers: { caption: "The question", columns: ["quantity", "value"], rows: [
         { cells: ["bodies", count] }, { cells: ["parts", parts.length] }, { cells: ["parts that meet the box", met.size], mark: "now" }, { cells: ["bodies that do", hits.size], mark: "winner" }] },
       says: `${hits.size} bodies overlap the box that asks; ${met.size} of ${parts.length} parts do.`,
       draw(d) {

@@ -180,7 +180,7 @@ export const epaSpace: Lesson = {
         "On curved shapes the bounds never meet; what is left between them is below the tolerance.",
       formula: [`d = ${digits(answer.distance, 8)}`, `n = [${answer.normal!.map((x) => digits(x, 4)).join(", ")}]`],
       graph: bounds(list, list.length - 1),
-      numbers: { caption: "Answer", columns: ["", "value"], rows: [{ cells: ["distance", answer.distance!], mark: "winner" }, { cells: ["normal", vector(answer.normal, 4)] },
+      numbers: { caption: "Answer", columns: ["quantity", "value"], rows: [{ cells: ["distance", answer.distance!], mark: "winner" }, { cells: ["normal", vector(answer.normal, 4)] },
         { cells: ["on A", vector(answer.a as unknown as Vec, 4)] }, { cells: ["on B", vector(answer.b as unknown as Vec, 4)] }] },
       says: `Depth ${digits(-answer.distance!, 6)}, normal ${vector(answer.normal, 3)}.`,
       draw(d) {

@@ -58,7 +58,7 @@ function rotationStep(axes: Axis[], paint: (d: Drawing) => void): Step {
     text: "For the first three axes a row of this matrix each was enough, and a gap there ends the search. Only now is the whole of it needed, and so made: " +
       "row i, column j says how far B's axis j points along A's axis i, both turned as they are drawn. Half sizes are weighted by these numbers without their signs; the products' lengths come from them too.",
     formula: ["R_ij = a_i * b_j", "r_B = h_0 |R_i0| + h_1 |R_i1| + h_2 |R_i2|"],
-    numbers: { caption: "R", columns: ["", "b0", "b1", "b2"], rows: [0, 1, 2].map((i) => ({ cells: [`a${i}`, ...[0, 1, 2].map((j) => tidy(seen(i, j)))], key: `A${i}` })) },
+    numbers: { caption: "R", columns: ["axis of A", "b0", "b1", "b2"], rows: [0, 1, 2].map((i) => ({ cells: [`a${i}`, ...[0, 1, 2].map((j) => tidy(seen(i, j)))], key: `A${i}` })) },
     says: "The rotation of B seen from A, as a matrix of three rows.",
     draw: paint,
   };

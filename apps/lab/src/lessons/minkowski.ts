@@ -73,7 +73,7 @@ function sliding(state: State, corners: Support[]): Step {
     text: sum ? "Drag the point on the outline. B's origin goes round A, and what B reaches on its way is the sum: the outline follows a side of A while the same corner of B leads, and a side of B at each corner of A."
       : "Drag the point on the outline. B slides round A without turning and without leaving it; what is drawn is how far B has to go from there to where it stands. Where B's corner slides along a side of A, the outline has that side; where A's corner slides along a side of B, that one.",
     formula: [sum ? "p = a + b" : "p = b - a", `p = ${row(flat(sub(made.b, made.a)))}`],
-    numbers: { caption: "There", columns: ["", "value"], rows: [
+    numbers: { caption: "There", columns: ["quantity", "value"], rows: [
       { cells: ["of A", vector(sum ? scale(flat(made.a), -1) : flat(made.a), 4)] }, { cells: ["of B", vector(flat(made.b), 4)] },
       { cells: ["p", vector(flat(sub(made.b, made.a)), 4)], mark: "winner" },
       ...(apart === null ? [] : [{ cells: ["distance of A and the moved B", Math.abs(apart) < 1e-12 ? 0 : apart] }])] },

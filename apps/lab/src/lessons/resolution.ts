@@ -56,7 +56,7 @@ export const resolution: Lesson = {
         title: "The velocity at the point",
         text: "Not the velocity of the centres counts but that of the material at the point of contact: the linear velocity, and what turning adds to it. The difference, B's minus A's, is the relative velocity.",
         formula: ["v = v_B + omega_B × r_B - v_A - omega_A × r_A", `v = [${approach.whole.map((x) => digits(x, 4)).join(", ")}]`],
-        numbers: { caption: "At the point of contact", columns: ["", "value"], rows: [{ cells: ["point", vector(point, 4)] }, { cells: ["normal", vector(normal, 4)] }, { cells: ["v", vector(approach.whole, 4)], mark: "now" }] },
+        numbers: { caption: "At the point of contact", columns: ["quantity", "value"], rows: [{ cells: ["point", vector(point, 4)] }, { cells: ["normal", vector(normal, 4)] }, { cells: ["v", vector(approach.whole, 4)], mark: "now" }] },
         says: `Relative velocity ${vector(approach.whole, 3)}.`,
         draw(d) {
           whole(d);
@@ -68,7 +68,7 @@ export const resolution: Lesson = {
         title: `At fault: ${fault}`,
         text: "Only what moves towards the other is at fault: the part of the relative velocity along the normal says whether they approach. " + (approach.normal < 0 ? "It is negative: they do." : "It is not negative: they part, and nothing has to be done.") + " The rest is sliding.",
         formula: ["v_n = v*n", `v_n = ${digits(approach.normal, 5)}`],
-        numbers: { caption: "Approach", columns: ["", "value"], rows: [{ cells: ["along n", approach.normal], mark: "now" }, { cells: ["tangential", vector(approach.tangential, 4)] }, { cells: ["at fault", fault], mark: "winner" }] },
+        numbers: { caption: "Approach", columns: ["quantity", "value"], rows: [{ cells: ["along n", approach.normal], mark: "now" }, { cells: ["tangential", vector(approach.tangential, 4)] }, { cells: ["at fault", fault], mark: "winner" }] },
         says: `Velocity along the normal ${digits(approach.normal, 4)}; at fault: ${fault}.`,
         draw(d) {
           whole(d);
@@ -81,7 +81,7 @@ export const resolution: Lesson = {
       title: "The normal impulse",
       text: "How hard must they push each other so that they no longer approach? The effective mass says how much of both masses resists at this point: turning makes it lighter. Restitution asks for more, so that they part.",
       formula: ["j = max(0, - frac((1 + e) v_n, n*K n))", `j = ${digits(answer.normalImpulse, 5)}`, `frac(1, n*K n) = ${digits(t.effectiveMass, 5)}`],
-      numbers: { caption: "Impulse", columns: ["", "value"], rows: [{ cells: ["effective mass", t.effectiveMass ?? 0] }, { cells: ["normal impulse", answer.normalImpulse ?? 0], mark: "winner" }] },
+      numbers: { caption: "Impulse", columns: ["quantity", "value"], rows: [{ cells: ["effective mass", t.effectiveMass ?? 0] }, { cells: ["normal impulse", answer.normalImpulse ?? 0], mark: "winner" }] },
       says: `Normal impulse ${digits(answer.normalImpulse, 4)}.`,
       draw(d) {
         whole(d);
@@ -93,7 +93,7 @@ export const resolution: Lesson = {
       title: friction.holds ? "Friction holds" : "Friction slips",
       text: `The sliding that is left would be stopped by an impulse in the tangent plane. Friction gives at most μ times the normal impulse, a cone about the normal. ` + (friction.holds ? "Stopping needs less: they stick." : "Stopping needs more: it is shortened to the cone, and they go on sliding."),
       formula: ["|j_t| <= mu j", `${digits(length(friction.stopping), 4)} ${friction.holds ? "<=" : ">"} ${digits(friction.limit, 4)}`],
-      numbers: { caption: "Friction", columns: ["", "value"], rows: [{ cells: ["sliding", vector(friction.sliding, 4)] }, { cells: ["to stop", vector(friction.stopping, 4)] }, { cells: ["limit", friction.limit] }, { cells: ["given", vector(friction.impulse, 4)], mark: "winner" }] },
+      numbers: { caption: "Friction", columns: ["quantity", "value"], rows: [{ cells: ["sliding", vector(friction.sliding, 4)] }, { cells: ["to stop", vector(friction.stopping, 4)] }, { cells: ["limit", friction.limit] }, { cells: ["given", vector(friction.impulse, 4)], mark: "winner" }] },
       says: friction.holds ? "Friction holds." : "Friction slips.",
       draw(d) {
         whole(d);
@@ -107,7 +107,7 @@ export const resolution: Lesson = {
       title: "The motions after",
       text: "Each body gets the impulse, in opposite directions: its velocity changes by impulse over mass, its turning by the impulse's lever. Momentum is what it was before.",
       formula: ["v_B' = v_B + frac(J, m_B)", "v_A' = v_A - frac(J, m_A)"],
-      numbers: { caption: "After", columns: ["", "linear", "angular"], rows: (["a", "b"] as const).map((w) => ({ cells: [w.toUpperCase(), vector(answer[w]!.linear, 4), vector(answer[w]!.angular as Vec, 3)] })) },
+      numbers: { caption: "After", columns: ["body", "linear", "angular"], rows: (["a", "b"] as const).map((w) => ({ cells: [w.toUpperCase(), vector(answer[w]!.linear, 4), vector(answer[w]!.angular as Vec, 3)] })) },
       says: `After: A ${vector(answer.a!.linear, 3)}, B ${vector(answer.b!.linear, 3)}.`,
       draw(d) {
         drawBodies(d, q);

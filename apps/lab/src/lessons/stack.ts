@@ -77,7 +77,7 @@ export const stack: Lesson = {
     const steps: Step[] = [{
       title: "Ten boxes",
       text: `A box of one metre and one kilogram on another, nine of them, and one of ${mass} kg on top; each stands 8 cm beside the one below. The lowest contact has to carry ${8 + 1 + mass} kg. A step of 1/${rate} s is divided into sub-steps. In each the solver goes once over all contacts, and starts from the impulses that it found last: a warm start. The library offers no solver without it, so there is no switch for that here.`,
-      numbers: { caption: "What is simulated", columns: ["", "value"], rows: [{ cells: ["boxes", boxes] }, { cells: ["mass of the top box, kg", mass] }, { cells: ["friction", friction] }, { cells: ["sub-steps of a step", named[effort]] }] },
+      numbers: { caption: "What is simulated", columns: ["quantity", "value"], rows: [{ cells: ["boxes", boxes] }, { cells: ["mass of the top box, kg", mass] }, { cells: ["friction", friction] }, { cells: ["sub-steps of a step", named[effort]] }] },
       says: `Ten boxes on each other, the top one of ${mass} kilograms.`,
       draw: draw(start),
     }];
@@ -86,7 +86,7 @@ export const stack: Lesson = {
       steps.push({
         title: `After ${seconds.toFixed(1)} s`,
         text: `The deepest contact overlaps by ${digits(frame.deepest * 1000, 4)} mm. The top box is ${digits(Math.abs(by[1]) * 1000, 4)} mm ${by[1] < 0 ? "lower" : "higher"} than it was put, and ${digits(Math.abs(by[0]) * 1000, 4)} mm to the ${by[0] < 0 ? "left" : "right"}. ${frame.subSteps} sub-steps were taken. The fastest approach that the solver left at a touching point is ${digits(frame.residual * 1000, 4)} mm/s.`,
-        numbers: { caption: "What the library reports of the step", columns: ["", "value"], rows: [
+        numbers: { caption: "What the library reports of the step", columns: ["quantity", "value"], rows: [
           { cells: ["points of contact", frame.contacts] }, { cells: ["deepest, m", frame.deepest], mark: "now" }, { cells: ["mean depth, m", frame.mean] },
           { cells: ["residual, m/s", frame.residual] }, { cells: ["sub-steps", frame.subSteps] }, { cells: ["top moved by, m", vector(by, 3)] }] },
         graph: { caption: "depth in mm", at: i, series: [{ name: "deepest", meaning: "touch", values: deepest.map((x) => x * 1000) }, { name: "mean", meaning: "made", values: list.map((f) => f.mean * 1000) }] },

@@ -109,7 +109,7 @@ export const timeOfImpact: Lesson = {
         "Position, normal and point are those of this moment; a solver can stop A here instead of finding it on the other side."
         : "The answer is proven: at no time of the whole motion is their distance zero.",
       formula: answer.hit ? [`t = ${digits(answer.t, 10)}`, `n = [${answer.normal!.map((x) => digits(x, 4)).join(", ")}]`] : [],
-      numbers: answer.hit ? { caption: "Answer", columns: ["", "value"], rows: [{ cells: ["time", answer.t!], mark: "winner" }, { cells: ["point", vector(answer.point, 5)] }, { cells: ["normal", vector(answer.normal, 5)] }, { cells: ["method", answer.trace.method] }] } : undefined,
+      numbers: answer.hit ? { caption: "Answer", columns: ["quantity", "value"], rows: [{ cells: ["time", answer.t!], mark: "winner" }, { cells: ["point", vector(answer.point, 5)] }, { cells: ["normal", vector(answer.normal, 5)] }, { cells: ["method", answer.trace.method] }] } : undefined,
       says: answer.hit ? `First contact at time ${digits(answer.t, 6)}.` : "No contact.",
       draw(d) {
         path(d, answer.hit ? answer.t : T);

@@ -1,8 +1,8 @@
 // Answers of the library as the library draws them: its calls onto a stage, in the lab's colours, with the
 // keys by which rows light up.
 
-import { graze } from "../graze.ts";
-import type { Vec } from "../question.ts";
+import { graze, planeShapeOf, poseOf, shapeOf, type End, type Trace } from "../graze.ts";
+import type { Question, Vec } from "../question.ts";
 import type { Drawing, Look, Meaning } from "./drawing.ts";
 import { add, scale } from "./vec.ts";
 
@@ -24,26 +24,29 @@ export interface Marks {
   contact?: (number: number) => Meaning | null;
   /** The words beside a normal. */
   label?: string;
-  /** Other colours than usual; null for things that are not drawn. */
+  /** Everything is drawn that far away. */
+  by?: Vec;
+  /** Other colours than usual; null for what is not drawn. */
   as?: Partial<Record<graze.DrawMeaning, Meaning | null>>;
 }
 
 /** A renderer that draws on a stage. Faces are left out: these are marks upon bodies that are seen. */
-export function onto(d: Drawing, { size = 12, center, look = {}, points, contact, label, as }: Marks = {}): graze.Renderer {
+export function onto(d: Drawing, { size = 12, center, look = {}, points, contact, label, by, as }: Marks = {}): graze.Renderer {
   const meanings = { ...usual, ...as };
   const drawn = (meaning: graze.DrawMeaning, draw: (meaning: Meaning) => void, own = meanings[meaning]): void => {
     if (own) draw(own);
   };
+  const there = (at: Vec): Vec => (by ? at.map((x, i) => x + (by[i] ?? 0)) : at);
   let number = 0;
   return {
     size, center,
     point(at, _, meaning) {
       const i = number++;
-      drawn(meaning, (own) => d.point(at, own, points?.(i) ?? look), meaning === "contact" && contact ? contact(i) : meanings[meaning]);
+      drawn(meaning, (own) => d.point(there(at), own, points?.(i) ?? look), meaning === "contact" && contact ? contact(i) : meanings[meaning]);
     },
-    line: (from, to, _, meaning) => drawn(meaning, (own) => d.line(from, to, own, meaning === "ghost" ? { ...look, wide: false, ghost: true } : look)),
-    arrow: (from, direction, _, meaning) => drawn(meaning, (own) => d.arrow(from, add(from, scale(direction, size / 12)), own, meaning === "normal" ? { ...look, label } : look)),
-    text: (at, words, _, meaning) => drawn(meaning, (own) => d.text(at, words, own)),
+    line: (from, to, _, meaning) => drawn(meaning, (own) => d.line(there(from), there(to), own, meaning === "ghost" ? { ...look, wide: false, ghost: true } : look)),
+    arrow: (from, direction, _, meaning) => drawn(meaning, (own) => d.arrow(there(from), add(there(from), scale(direction, size / 12)), own, meaning === "normal" ? { ...look, label } : look)),
+    text: (at, words, _, meaning) => drawn(meaning, (own) => d.text(there(at), words, own)),
   };
 }
 
@@ -63,6 +66,26 @@ export const drawDistance = (d: Drawing, { a, b }: { a?: unknown; b?: unknown },
   drawsOf((a as Vec).length === 2).distance({ a, b } as { a: graze.Vec3; b: graze.Vec3 }, onto(d, marks));
 export const drawRay = (d: Drawing, ray: graze.Ray, hit: Pick<graze.RayHit, "t" | "point" | "normal"> | null, marks?: Marks): void =>
   drawsOf(ray.origin.length === 2).ray(ray, hit, onto(d, marks));
-/** Draws the edges of a box along the axes. */
+/** A question's body on its way for so long: its path, places along it, and where it comes to. */
+export function drawCast(d: Drawing, { a, dimension }: Question, duration: number, marks?: Marks): void {
+  const flat = dimension === 2, shape = (flat ? planeShapeOf(a.shape) : shapeOf(a.shape)) as graze.Shape;
+  const pose = flat ? { translation: a.translation, rotation: a.rotation } : poseOf(a);
+  try {
+    drawsOf(flat).cast({ shape, ...pose, linear: a.linear } as graze.Moving, null, onto(d, marks), { duration });
+  } finally {
+    shape.dispose();
+  }
+}
+/** The edges of a box along the axes. */
 export const drawBounds = (d: Drawing, box: { lower: Vec; upper: Vec }, meaning: Meaning, look?: Look): void =>
   graze.draw.bounds(box as graze.Aabb, onto(d, { look, as: { bounds: meaning } }));
+
+/** Where an interval ends. */
+export const endOf = (end: End): number => (typeof end === "number" ? end : end === "infinity" ? Infinity : -Infinity);
+/** What a query did as far as `trace` holds it, or one step of it (axes, iterations of GJK, expansions of EPA, cuts, counted in
+ *  this order): axes through the centre, the Minkowski difference about the origin, faces where they are. */
+export function drawTrace(d: Drawing, { winner, axes = [], gjk, epa, difference, polytope, faces, cuts }: Partial<Trace>, marks?: Marks, step?: number): void {
+  const whole = axes.map(({ name, direction, a, b }) => ({ name, direction, a: a.map(endOf), b: b.map(endOf) }));
+  graze.draw.trace({ winner, axes: whole, gjk, epa: epa as graze.DrawnTrace["epa"], difference, polytope: polytope?.points, triangles: polytope?.triangles,
+    faceA: faces?.a, faceB: faces?.b, cuts }, onto(d, marks), { step });
+}

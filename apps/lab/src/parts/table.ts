@@ -11,9 +11,13 @@ export interface Row {
 }
 export interface Numbers {
   caption: string;
+  /** The heading of each column; none is empty. */
   columns: string[];
   rows: Row[];
 }
+
+/** What stands before a row that is marked, and what is said to those who do not see it. */
+const marks = { winner: ["▸", "decides"], out: ["×", "ruled out"], now: ["•", "this step"] } as const;
 
 export class Table {
   readonly element = h("div", { class: "numbers", tabindex: 0, role: "region", "aria-label": "Numbers of this step" });
@@ -33,17 +37,17 @@ export class Table {
         return h("td", { title: typeof cell === "number" ? String(cell) : null }, ...changed(this.before.get(place), text));
       });
       const classes = [row.mark && `is-${row.mark}`].filter(Boolean).join(" ");
-      const mark = row.mark === "winner" ? "▸" : row.mark === "out" ? "×" : row.mark === "now" ? "•" : "";
+      const [mark, says] = row.mark ? marks[row.mark] : ["", ""];
       return h("tr",
         { class: classes || null, "data-key": row.key,
           onpointerenter: () => this.onPoint(row.key ?? null), onpointerleave: () => this.onPoint(null) },
-        h("td", { class: "mark" }, mark), ...cells);
+        h("td", { class: "mark" }, h("span", { "aria-hidden": "true" }, mark), h("span", { class: "unseen" }, says)), ...cells);
     });
     this.before = now;
     this.element.replaceChildren(
       h("table", {},
         h("caption", {}, numbers.caption),
-        h("thead", {}, h("tr", {}, h("td", {}), ...numbers.columns.map((c) => (c ? h("th", { scope: "col" }, c) : h("td", {}))))),
+        h("thead", {}, h("tr", {}, h("th", { scope: "col", class: "mark" }, h("span", { class: "unseen" }, "mark")), ...numbers.columns.map((c) => h("th", { scope: "col" }, c)))),
         h("tbody", {}, ...rows)));
   }
 

@@ -21,7 +21,10 @@ import { firstShown, isShown, type Shown } from "../scene/moment.ts";
 import { askPair, drawContacts, drawPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, counted, keyOf, pairRows, partnersOf } from "../scene/pairs.ts";
 import { Run } from "../scene/run.ts";
+import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
+import { drawShot } from "../scene/shots.ts";
 import type { Served } from "../scene/source.ts";
+import { explained, TraceSteps } from "../scene/trace-steps.ts";
 import type { Room } from "./room.ts";
 
 /** The frame that is shown, the selected bodies, and the settings of playing and drawing. */
@@ -37,7 +40,13 @@ interface Asked {
   numbers: number[];
   pair: AskedPair | null;
 }
-/** The path of the capture if it is served, and the moment in the address. */
+/** All bodies of a frame that a question has words for, in a world of their own, to be shot at. */
+interface Whole {
+  run: Run;
+  scene: Scene;
+  numbers: number[];
+}
+/** Where the capture lies if it is served, and the moment that the address holds. */
 export interface Origin {
   served: Served | null;
   at?: string;
@@ -64,28 +73,34 @@ export class CaptureRoom implements Room {
   private frame = 0;
   private selected: number[] = [];
   private asked: Asked | null = null;
+  private whole: Whole | null = null;
+  private readonly steps = new TraceSteps(() => (this.paint(), this.still.call()));
+  private readonly shooting: Shooting;
 
   /** `onScene` gets a frame as a scene. */
   constructor(name: string, captured: Captured, origin: Origin, onScene: (scene: Scene) => void) {
     this.captured = captured;
     this.origin = origin;
     this.inquiry = new Inquiry((question) => (location.hash = address("/scene", { q: JSON.stringify(question) })), (text) => this.say(text));
+    this.shooting = new Shooting((title, words) => this.inquiry.tell(title, words));
     this.chooser = new Chooser((selected) => this.select(selected));
     this.pairs.onPoint = this.found.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
-    this.stage.onPick = (body, _, key) => this.select(bodiesOf(key).length > 0 ? bodiesOf(key) : toggled(this.selected, body));
+    this.stage.onPick = (body, sight, key) => this.pick(body, sight, bodiesOf(key));
     this.put();
     this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: captured.report.plane });
     const { left, side, handle } = drawer([this.chooser.tree], [
-      fold("properties", "Properties", this.inquiry.info, this.found.element, this.inquiry.table.element, this.inquiry.element),
+      fold("properties", "Properties", this.inquiry.info, this.steps.element, this.found.element, this.inquiry.table.element, this.inquiry.element),
       fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element)]);
     this.element = h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, name), this.intro),
+      h("div", { class: "choices" }, ...shootingButtons((kind) => this.takeAim(kind))),
       h("div", { class: "board workbench" }, left,
         h("div", { class: "picture" }, this.stage.element, fold("time", "Time", this.timeline.element, this.counter), this.trouble, handle, this.layers.element,
           h("p", { class: "actions" }, button("Open this frame as a scene", () => this.open(onScene)))),
         side));
     const moment = { ...start, ...parse<Partial<Moment>>(origin.at, {}, isMoment) };
     this.layers.switched = moment.layers;
+    this.steps.shown = moment;
     this.timeline.speed = moment.speed;
     this.stage.camera = cameraOf(origin.view);
     this.stage.onCamera = () => this.still.call();
@@ -102,6 +117,7 @@ export class CaptureRoom implements Room {
     this.still.cancel();
     this.timeline.stop();
     this.asked?.run.dispose();
+    this.leave();
     this.stage.dispose();
   }
   /** For the tests. */
@@ -147,20 +163,59 @@ export class CaptureRoom implements Room {
   }
   private go(frame: number): void {
     this.frame = frame;
+    this.leave();
     this.show();
   }
-  /** Writes the address of a served capture; another cannot be found again. */
+
+  // --- Rays, casts and measures, whose bodies are numbered as those of the frame's world ---
+
+  private get everything(): Whole {
+    if (this.whole) return this.whole;
+    const numbers = [...this.now.there].filter((i) => this.captured.bodies[i].shape), scene = this.sceneOf("the frame", numbers);
+    return (this.whole = { run: new Run(scene), scene, numbers });
+  }
+  /** Of another frame nothing that was shot is true any more. */
+  private leave(): void {
+    this.shooting.forget();
+    this.whole?.run.dispose();
+    this.whole = null;
+  }
+  private thrown({ numbers }: Whole): number | undefined {
+    const at = numbers.indexOf(this.selected[0]);
+    return at < 0 ? undefined : at;
+  }
+  private takeAim(kind: Kind): void {
+    try {
+      this.shooting.takeAim(kind, this.everything.run, this.thrown(this.everything));
+    } catch (error) {
+      this.say((error as Error).message);
+    }
+  }
+  private pick(body: number | null, sight: Sight, pair: number[]): void {
+    if (!this.shooting.waits) return this.select(pair.length > 0 ? pair : toggled(this.selected, body));
+    try {
+      const { everything } = this;
+      if (!this.shooting.click(sight, everything.run, everything.scene, this.thrown(everything))) return;
+      const { shot } = this.shooting;
+      if (shot!.question) this.inquiry.offer(shot!.question);
+      this.paint();
+    } catch (error) {
+      this.say((error as Error).message); // two clicks at one place are no direction
+    }
+  }
+  private sceneOf(name: string, numbers: number[]): Scene {
+    return { name, bodies: bodiesAt(this.captured, this.frame, numbers), ...(this.captured.report.plane ? { dimension: 2 as const } : {}) };
+  }
+  /** What the address of a served capture holds; another is nowhere to be found again. */
   private write(): void {
     const { served } = this.origin, { frame, selected } = this, { camera } = this.stage;
     if (!served) return;
-    const at = JSON.stringify({ frame, selected, speed: this.timeline.speed, layers: this.layers.switched });
+    const at = JSON.stringify({ frame, selected, ...this.steps.shown, speed: this.timeline.speed, layers: this.layers.switched });
     history.replaceState(null, "", address("/scene", { file: served.path, at, ...(camera ? { view: cameraText(camera) } : {}) }));
   }
   private open(onScene: (scene: Scene) => void): void {
     try {
-      const bodies = bodiesAt(this.captured, this.frame, [...this.now.there]);
-      const name = `frame ${this.frame + 1} of ${this.captured.frames.length}`;
-      onScene({ name, bodies, ...(this.captured.report.plane ? { dimension: 2 as const } : {}) });
+      onScene(this.sceneOf(`frame ${this.frame + 1} of ${this.captured.frames.length}`, [...this.now.there]));
     } catch (error) {
       this.say((error as Error).message);
     }
@@ -173,9 +228,8 @@ export class CaptureRoom implements Room {
     this.say(null);
     const numbers = this.selected.filter((i) => this.now.there.has(i));
     try {
-      const bodies = bodiesAt(this.captured, this.frame, numbers);
-      const run = new Run({ name: "selected", bodies, ...(this.captured.report.plane ? { dimension: 2 as const } : {}) });
-      this.asked = { bodies, numbers, run, pair: askPair(run, numbers.map((_, k) => k)) };
+      const scene = this.sceneOf("selected", numbers), run = new Run(scene);
+      this.asked = { bodies: scene.bodies, numbers, run, pair: askPair(run, numbers.map((_, k) => k)) };
     } catch (error) {
       this.say((error as Error).message); // a shape that the protocol cannot express
     }
@@ -189,7 +243,7 @@ export class CaptureRoom implements Room {
     this.stage.crowd.group.visible = this.layers.has("bodies");
     this.stage.crowd.move(poses, there);
     this.stage.crowd.paint(new Map(this.selected.map((i, k) => [i, k ? "b" : "made"])));
-    this.stage.draw((d) => this.draw(d), [], `Frame ${this.frame + 1} of ${frames.length}: ${there.size} bodies, ${pairs.length} pairs.`);
+    this.paint();
     this.counter.textContent = counted(there.size, pairs);
     this.pairs.show(pairRows(pairs, "Pairs in this frame", (i) => this.captured.bodies[i].name, this.selected, (bodies) => this.select(bodies)));
     this.plot.replaceChildren(drawGraph({ caption: "deepest penetration", at: this.frame,
@@ -197,9 +251,17 @@ export class CaptureRoom implements Room {
     this.tell();
     this.still.call();
   }
+  private paint(): void {
+    const { there, pairs } = this.now;
+    this.steps.take(...explained(this.asked?.pair ?? null, this.shooting.shot, this.selected));
+    this.stage.draw((d) => this.draw(d), [], `Frame ${this.frame + 1} of ${this.captured.frames.length}: ${there.size} bodies, ${pairs.length} pairs.`);
+  }
   private draw(d: Drawing): void {
+    const { shot } = this.shooting;
     const marks = { points: this.layers.has("contacts"), normals: this.layers.has("normals"), arrow: this.captured.size / 25 };
     for (const pair of this.now.pairs) drawContacts(d, pair, marks);
+    if (shot && this.whole && this.layers.has("shots")) drawShot(d, this.whole.run, shot, this.stage.seen);
+    this.steps.draw(d, this.stage.seen);
     if (!this.asked) return;
     const { run, numbers, pair: selected } = this.asked;
     if (selected && this.layers.has("pair")) drawPair(d, run, selected);

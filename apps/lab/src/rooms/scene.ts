@@ -24,8 +24,8 @@ import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, stagesOf, viewOf } f
 import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { Settings } from "../scene/settings.ts";
-import { Shooting, type Kind, type Sight } from "../scene/shooting.ts";
-import { TraceSteps } from "../scene/trace-steps.ts";
+import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
+import { explained, TraceSteps } from "../scene/trace-steps.ts";
 import { Source, type Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
@@ -55,7 +55,7 @@ export class SceneRoom implements Room {
   private drawTime = 0;
   private readonly source: Source;
   private readonly pairs = new Table();
-  private readonly steps = new TraceSteps(() => this.paint());
+  private readonly steps = new TraceSteps(() => (this.paint(), this.write()));
   private readonly materials = h("div", { class: "choices", "data-material": true });
   private readonly plot = h("div", { class: "plot" });
   private readonly counter = h("p", { class: "counter" });
@@ -127,7 +127,7 @@ export class SceneRoom implements Room {
 
   private get moment(): Moment {
     return { places: movedBodies(this.play.scene, this.before), selected: this.selected, subSteps: this.play.subSteps, gravity: this.play.heavy,
-      speed: this.play.speed, layers: this.layers.switched };
+      ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
   }
   /** Records the moment after everything that somebody did, but for playing. */
   private remember(): void {
@@ -156,6 +156,7 @@ export class SceneRoom implements Room {
     this.play.heavy = moment.gravity;
     this.play.speed = moment.speed;
     this.layers.switched = moment.layers;
+    this.steps.shown = moment;
     this.settings.show(moment);
     for (const [i, body] of scene.bodies.entries()) Object.assign(body, moment.places[i] ?? this.before[i]);
     this.selected = moment.selected.filter((i) => i >= 0 && i < scene.bodies.length);
@@ -194,7 +195,7 @@ export class SceneRoom implements Room {
 
   // --- Scenes ---
 
-  private open(scene: Scene, key: string | null = null, moment: Moment = { ...this.moment, places: {}, selected: [] }): void {
+  private open(scene: Scene, key: string | null = null, moment: Moment = { ...this.moment, places: {}, selected: [], traceStep: -1 }): void {
     this.key = key;
     this.trouble.hidden = true;
     this.shooting.forget();
@@ -274,7 +275,7 @@ export class SceneRoom implements Room {
   }
   private paint(): void {
     this.pair = askPair(this.play.run, this.selected);
-    this.steps.take(this.pair);
+    this.steps.take(...explained(this.pair, this.shooting.shot, this.selected));
     const { play, found, selected, pair, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
     const overlay = { found, selected, pair, shot: this.shooting.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
     this.draws++;
@@ -282,7 +283,7 @@ export class SceneRoom implements Room {
     this.stage.crowd.group.visible = this.layers.has("bodies");
     this.stage.draw((d) => {
       drawOverlay(d, play, overlay);
-      if (pair) this.steps.draw(d, play.run, pair, seen);
+      this.steps.draw(d, seen);
     }, handlesOf(play, selected[0], seen),
       `${name}: ${bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
@@ -308,8 +309,7 @@ export class SceneRoom implements Room {
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
         this.catalogue.element, ...this.source.elements,
-        button("Shoot a ray", () => takeAim("ray")), button("Cast the body", () => takeAim("cast")),
-        button("Measure", () => takeAim("measure")),
+        ...shootingButtons(takeAim),
         ...this.settings.elements),
       h("div", { class: "board workbench" }, left,
         h("div", { class: "picture" }, this.stage.element,

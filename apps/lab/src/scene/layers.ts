@@ -11,12 +11,14 @@ const normals: Layer = { id: "normals", label: "Normals", entries: [{ meaning: "
 const pair: Layer = { id: "pair", label: "Selected pair", entries: [
   { meaning: "made", sign: "—", says: "feature of A" }, { meaning: "b", sign: "—", says: "feature of B" }, { meaning: "axis", sign: "┄", says: "distance" }] };
 
+const shots: Layer = { id: "shots", label: "Rays and casts", entries: [{ meaning: "made", sign: "→", says: "way" }, { meaning: "touch", sign: "●", says: "hit" }] };
+
 export const sceneLayers: Layer[] = [
   { ...bodies, entries: [...bodies.entries, { meaning: "trigger", sign: "■", says: "trigger" }, { meaning: "touch", sign: "■", says: "deep in another" }] },
   contacts, normals, pair,
   { id: "joints", label: "Joints", entries: [{ meaning: "ink", sign: "—", says: "to the anchors" }, { meaning: "touch", sign: "—", says: "gap" }] },
-  { id: "shots", label: "Rays and casts", entries: [{ meaning: "made", sign: "→", says: "way" }, { meaning: "touch", sign: "●", says: "hit" }] },
+  shots,
   { id: "broad", label: "Broad phase", off: true, entries: [{ meaning: "ink", sign: "□", says: "box of a body" }, { meaning: "out", sign: "□", says: "box of the tree" }] },
   { id: "grid", label: "Grid", entries: [] },
 ];
-export const captureLayers: Layer[] = [bodies, contacts, normals, pair, { id: "grid", label: "Grid", entries: [] }];
+export const captureLayers: Layer[] = [bodies, contacts, normals, pair, shots, { id: "grid", label: "Grid", entries: [] }];

@@ -5,10 +5,16 @@ import { speeds } from "../parts/timeline.ts";
 import type { Scene } from "./model.ts";
 import type { Place } from "./run.ts";
 
-/** The part that scenes and captures have in common. */
+/** The questions whose answer is explained. */
+const explained = ["overlap", "distance", "contacts", "cast", "raycast"] as const;
+export type Explained = (typeof explained)[number];
+/** What scenes and captures have in common. */
 export interface Shown {
   selected: number[];
-  /** The speed of playing, as a multiple of the usual one. */
+  /** What is explained of the selected bodies, and the step of it that is drawn: -1 for none. */
+  explained: Explained;
+  traceStep: number;
+  /** How many times as fast as usual it plays. */
   speed: number;
   /** The layers that somebody has switched. */
   layers: string[];
@@ -20,7 +26,7 @@ export interface Moment extends Shown {
   gravity: boolean;
 }
 
-export const firstShown: Shown = { selected: [], speed: 1, layers: [] };
+export const firstShown: Shown = { selected: [], explained: "distance", traceStep: -1, speed: 1, layers: [] };
 export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: true };
 
 const isNumbers = (value: unknown, count: number): value is Vec =>
@@ -30,9 +36,10 @@ const isPlace = (value: unknown): value is Place =>
 
 /** Whether a value of an address, where it has members of `Shown`, has them with the right types. */
 export function isShown(value: unknown): boolean {
-  const { selected, speed, layers } = { ...firstShown, ...(value as Partial<Shown> | null) };
+  const { selected, speed, layers, ...trace } = { ...firstShown, ...(value as Partial<Shown> | null) };
   return Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) && speeds.includes(speed) &&
-    Array.isArray(layers) && layers.every((layer) => typeof layer === "string");
+    Array.isArray(layers) && layers.every((layer) => typeof layer === "string") &&
+    explained.includes(trace.explained) && Number.isInteger(trace.traceStep) && trace.traceStep >= -1;
 }
 /** Whether a value of an address is one of a scene's moment, likewise. */
 export function isMoment(value: unknown): boolean {

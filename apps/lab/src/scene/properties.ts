@@ -28,5 +28,5 @@ export function propertiesOf(run: Run, body: SceneBody, number: number, partners
     ...(motion ? [["mass", motion.mass], ["velocity", vector(motion.linear, 4)]] as [string, string | number][] : []),
     ["contact margin", run.margin(number, number)], ["touches", listed(partners)],
   ];
-  return { caption: body.name, columns: ["", "value"], rows: rows.map((cells) => ({ cells })) };
+  return { caption: body.name, columns: ["quantity", "value"], rows: rows.map((cells) => ({ cells })) };
 }

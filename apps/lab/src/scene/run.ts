@@ -69,8 +69,8 @@ interface Dimension {
   simulation(settings: object): AnySimulation;
   shape(of: Shape): AnyShape;
   contactMargin(a: AnyShape, b: AnyShape): number;
-  /** The library's drawing of answers. */
-  draws: Pick<typeof graze.draw, "ray" | "cast" | "explained">;
+  /** Answers as the library draws them. */
+  draws: Pick<typeof graze.draw, "ray" | "cast">;
   draw(world: AnyQueries, on: graze.Renderer): void;
   drawSimulation(simulation: AnySimulation, on: graze.Renderer): void;
   /** Numbers of a vector of space. */
@@ -203,12 +203,6 @@ export class Run {
   drawCast(body: number, from: Place, motion: Vec, hit: Hit | null, on: graze.Renderer): void {
     const moving = { shape: this.shape(this.scene.bodies[body].shape), ...this.own.pose(from), linear: this.own.vector(motion) };
     this.own.draws.cast(moving as unknown as graze.Moving, hit as graze.CastHit | null, on);
-  }
-  /** Draws one step of the library's search for the distance of two bodies. */
-  drawStep([a, b]: [number, number], step: number, on: graze.Renderer): void {
-    const shape = (i: number): graze.Shape => this.shape(this.scene.bodies[i].shape) as graze.Shape;
-    const pose = (i: number): graze.PoseLike => this.own.pose(this.place(i)) as graze.PoseLike;
-    this.own.draws.explained(on, { step }).distance(shape(a), pose(a), shape(b), pose(b));
   }
   /** The box around a body in its own frame, or around where it is now. */
   bounds(body: number, placed = false): { lower: Vec; upper: Vec } {

@@ -1,6 +1,6 @@
 // Rays and casts by clicks: the purpose of the next click, and the result of the last.
 
-import { digits, vector } from "../parts/dom.ts";
+import { button, digits, vector } from "../parts/dom.ts";
 import { add, length, scale, sub } from "../parts/vec.ts";
 import type { Vec } from "../question.ts";
 import type { Scene } from "./model.ts";
@@ -13,6 +13,9 @@ export interface Sight {
   origin: Vec;
   direction: Vec;
 }
+
+export const shootingButtons = (take: (kind: Kind) => void): HTMLElement[] =>
+  [button("Shoot a ray", () => take("ray")), button("Cast the body", () => take("cast")), button("Measure", () => take("measure"))];
 
 export class Shooting {
   shot: Shot | null = null;

@@ -1,80 +1,154 @@
-// The steps of the library's search for a pair's distance, drawn by its own trace drawing onto the scene: the axes that
-// were tried, or the iterations of GJK and then of EPA, whose Minkowski difference is drawn about A's place.
+// What the library did to answer a question about the selected bodies, or about what was shot, a step at a time: its own
+// drawing of the trace upon the scene. Which question is explained is chosen.
 
-import type { graze, Trace } from "../graze.ts";
-import { onto } from "../parts/answers.ts";
+import { ask, line, type Answer, type Trace } from "../graze.ts";
+import { drawCast, drawDistance, drawRay, drawTrace, endOf } from "../parts/answers.ts";
 import { button, digits, h } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, scale } from "../parts/vec.ts";
-import type { Vec } from "../question.ts";
+import type { Body, Question, Vec } from "../question.ts";
+import { firstShown, type Explained, type Shown } from "./moment.ts";
 import type { AskedPair } from "./pair.ts";
-import type { Run } from "./run.ts";
+import type { Shot } from "./shots.ts";
 
-/** A step in words, in the order in which the library counts them; none behind the last. */
-function wordsOf({ axes, gjk, epa }: Trace, step: number): string {
-  if (step < axes.length) {
-    const { name, overlap } = axes[step];
-    return `Axis ${name}: ${overlap >= 0 ? "overlap" : "gap"} ${digits(Math.abs(overlap), 5)}`;
-  }
-  const iteration = gjk[step - axes.length], expansion = epa[step - axes.length - gjk.length];
-  if (iteration) return `GJK, iteration ${step - axes.length + 1}: distance of the cores from ${digits(iteration.lower, 5)} to ${digits(iteration.upper, 5)}`;
-  return `EPA, expansion ${step - axes.length - gjk.length + 1}: depth from ${digits(expansion.faceDepth, 5)} to ${digits(expansion.foundDepth, 5)}`;
+type ShownTrace = Pick<Shown, "explained" | "traceStep">;
+/** The questions about a pair, in the order in which they are listed. */
+const ofPairs = ["overlap", "distance", "contacts"] as const;
+const labels: Record<Explained, string> = {
+  overlap: "Do they overlap?", distance: "How far apart?", contacts: "Where do they touch?", cast: "When does it touch?", raycast: "Where does the ray enter?" };
+
+/** The questions that can be explained about a pair and what was shot, and a key of what they are about. */
+export function explained(pair: AskedPair | null, shot: Shot | null, selected: number[]): [Question[], string] {
+  const { margin, ...bare } = pair?.question ?? ({} as Question), shots = shot?.question && shot.kind !== "measure" ? [shot.question] : [];
+  const about = pair ? ofPairs.map((query): Question => ({ ...bare, query, ...(query === "contacts" ? { margin } : {}) })) : [];
+  return [[...about, ...shots], [...selected, ...shots.map(line)].join(" ")];
 }
-const countOf = ({ axes, gjk, epa }: Trace): number => axes.length + gjk.length + epa.length;
+
+/** A step in words, and what is drawn for it. */
+interface TraceStep {
+  words: string;
+  draw(d: Drawing, size: number): void;
+}
+const inSpace = ([x, y, z = 0]: Vec): Vec => [x, y, z];
+const placeOf = ({ translation }: Body): Vec => inSpace(translation ?? [0, 0, 0]);
+
+/** The axes, iterations, expansions and cuts of a trace, in the order in which the library counts them. */
+function searched({ a, b }: Question, trace: Trace): TraceStep[] {
+  const { axes, gjk, epa, cuts = [] } = trace, from = placeOf(a), middle = scale(add(from, b ? placeOf(b) : from), 0.5);
+  const words = [
+    ...axes.map(({ name, overlap }) => `Axis ${name}: ${overlap >= 0 ? "overlap" : "gap"} ${digits(Math.abs(overlap), 5)}`),
+    ...gjk.map(({ lower, upper }, i) => `GJK, iteration ${i + 1}: distance of the cores from ${digits(lower, 5)} to ${digits(upper, 5)}`),
+    ...epa.map(({ faceDepth, foundDepth }, i) => `EPA, expansion ${i + 1}: depth from ${digits(faceDepth, 5)} to ${digits(foundDepth, 5)}`),
+    ...cuts.map(({ left }, i) => `Cut ${i + 1} of the face: ${left.length} corners are left`)];
+  return words.map((said, step) => ({ words: said, draw(d, size) {
+    const found = (gjk[step - axes.length] ?? epa[step - axes.length - gjk.length])?.found;
+    // The difference lies about A's place, so that it is seen beside the bodies.
+    const by = step >= axes.length && step < axes.length + gjk.length + epa.length ? from : undefined;
+    drawTrace(d, trace, { size, center: middle, by, look: { wide: true }, as: { a: "made", ruledOut: "out" } }, step);
+    if (!by || !found) return;
+    d.point(inSpace(found.a), "made", { wide: true });
+    d.point(inSpace(found.b), "b", { wide: true });
+  } }));
+}
+/** Where a ray is in the parts of a shape, one condition after the other. */
+function entered({ ray, a }: Question, { spans = [] }: Trace): TraceStep[] {
+  return spans.map(({ name, normal, span }) => {
+    const [enter, leave] = span.map(endOf), misses = enter > leave;
+    return { words: `${name}: ${misses ? "never inside" : `inside from ${digits(span[0], 5)} to ${digits(span[1], 5)}`}`, draw(d, size) {
+      if (misses || !Number.isFinite(enter)) return drawRay(d, ray as never, null, { size, center: placeOf(a), look: { wide: true } });
+      const along = scale(ray!.direction, 1 / Math.hypot(...ray!.direction));
+      drawRay(d, ray as never, { t: enter, point: add(ray!.origin, scale(along, enter)), normal } as never, { size, look: { wide: true }, label: name });
+    } };
+  });
+}
+/** A body, or the head of a ray, as far as it may go without touching. */
+function advanced(question: Question, { steps = [] }: Trace): TraceStep[] {
+  const { a, b, ray } = question;
+  return steps.map(({ t, distance, normal }, i) => ({
+    words: `Advancement ${i + 1}: ${ray ? "after" : "at"} ${digits(t, 6)} the distance is ${digits(distance, 5)}`, draw(d, size) {
+      const look = { wide: true };
+      if (ray) {
+        const point = add(ray.origin, scale(ray.direction, t / Math.hypot(...ray.direction)));
+        return drawRay(d, ray as never, { t, point, normal: scale(normal, -1) } as never, { size, look });
+      }
+      drawCast(d, question, t, { look });
+      const { linear, angular: _, ...there } = a, { linear: other, angular: __, ...met } = b!;
+      const moved = (body: Body, by?: Vec): Body => (by ? { ...body, translation: add(body.translation ?? by.map(() => 0), scale(by, t)) } : body);
+      const apart = ask({ query: "distance", ...(question.dimension ? { dimension: question.dimension } : {}), a: moved(there, linear), b: moved(met, other) });
+      if (apart.distance! > 0) drawDistance(d, apart, { look });
+    } }));
+}
+const stepsOf = (question: Question, { trace }: Answer): TraceStep[] =>
+  [...entered(question, trace), ...advanced(question, trace), ...(question.query === "cast" || question.query === "raycast" ? [] : searched(question, trace))];
 
 export class TraceSteps {
   readonly element = h("div", { class: "actions trace-steps", role: "group", "aria-label": "Steps of the answer", hidden: true });
   private readonly words = h("output", {});
   private readonly forward: HTMLButtonElement;
   private readonly back: HTMLButtonElement;
-  private bodies = "";
-  /** The step that is drawn; none is before the first. */
+  private readonly choice: HTMLSelectElement;
+  private questions: Question[] = [];
+  private chosen = firstShown.explained;
+  private key = "";
+  /** None is drawn before the first. */
   private step = -1;
-  private trace: Trace | null = null;
+  private expected = -1;
+  private steps: TraceStep[] = [];
+  private answer: Answer | null = null;
 
   /** `onStep`: called when another step is to be drawn. */
   constructor(onStep: () => void) {
     const go = (by: number) => (): void => {
       this.step += by;
-      this.show(this.trace, this.bodies);
+      this.show();
       onStep();
     };
     this.back = button("Step back in its trace", go(-1), { "data-trace-back": true });
     this.forward = button("Next step of its trace", go(1), { "data-trace-next": true });
-    this.element.append(this.back, this.forward, this.words);
+    this.choice = h("select", { "aria-label": "What is explained", "data-explained": true, onchange: () => {
+      this.chosen = this.choice.value as Explained;
+      this.step = -1;
+      this.show();
+      onStep();
+    } }) as HTMLSelectElement;
+    this.element.append(this.choice, this.back, this.forward, this.words);
   }
-  /** The selected pair, if any; the step stays while it is the same. */
-  take(pair: AskedPair | null): void {
-    this.show(pair?.distance.trace ?? null, pair ? pair.bodies.join(" ") : "");
+  /** Which question is explained, and which step is drawn: -1 for none. */
+  get shown(): ShownTrace {
+    return { explained: this.chosen, traceStep: this.step };
   }
-  draw(d: Drawing, run: Run, pair: AskedPair, size: number): void {
-    if (this.step < 0 || !this.trace) return;
-    const [a, b] = pair.bodies.map((i) => run.place(i).translation), { axes, gjk, epa } = this.trace;
-    const isAxis = this.step < axes.length, by: Vec = isAxis ? [0, 0, 0] : a;
-    const on = onto(d, { size, center: isAxis ? scale(add(a, b), 0.5) : [0, 0, 0], look: { wide: true }, as: { a: "made", ruledOut: "out" } });
-    run.drawStep(pair.bodies, this.step, shifted(on, by));
-    const found = (gjk[this.step - axes.length] ?? epa[this.step - axes.length - gjk.length])?.found;
-    if (!found) return;
-    d.point(inSpace(found.a), "made", { wide: true });
-    d.point(inSpace(found.b), "b", { wide: true });
+  /** For the bodies that come next. */
+  set shown({ explained, traceStep }: ShownTrace) {
+    this.chosen = explained;
+    this.step = this.expected = traceStep;
   }
-  private show(trace: Trace | null, bodies: string): void {
-    const count = trace ? countOf(trace) : 0;
-    if (bodies !== this.bodies) this.step = -1;
+  /** What can be explained of the bodies with this key; question and step stay while it is the same. */
+  take(questions: Question[], key: string): void {
+    this.questions = questions;
+    if (key !== this.key) this.step = this.expected;
+    this.expected = -1;
+    this.key = key;
+    this.show();
+  }
+  draw(d: Drawing, size: number): void {
+    this.steps[this.step]?.draw(d, size);
+  }
+  private show(): void {
+    const { questions } = this, now = questions.find(({ query }) => query === this.chosen) ?? questions.find(({ query }) => query === firstShown.explained) ?? questions[0];
+    this.element.hidden = !now;
+    this.answer = now ? ask(now) : null;
+    this.steps = this.answer ? stepsOf(now, this.answer) : [];
+    const count = this.steps.length;
     this.step = Math.min(this.step, count - 1);
-    this.bodies = bodies;
-    this.trace = trace;
-    this.element.hidden = count === 0;
+    const listed = questions.map(({ query }) => query as Explained).join(" ");
+    if (this.choice.dataset.listed !== listed) {
+      this.choice.dataset.listed = listed;
+      this.choice.replaceChildren(...questions.map(({ query }) => h("option", { value: query }, labels[query as Explained])));
+    }
+    if (now) this.choice.value = now.query;
     this.back.disabled = this.step < 0;
     this.forward.disabled = this.step >= count - 1;
-    this.words.textContent = trace && this.step >= 0 ? `${this.step + 1} / ${count}. ${wordsOf(trace, this.step)}` : `${count} steps`;
+    this.words.textContent = this.step >= 0 ? `${this.step + 1} / ${count}. ${this.steps[this.step].words}`
+      : count > 0 ? `${count} steps` : this.answer?.error ?? `${this.answer?.trace.method}, no steps`;
   }
-}
-
-const inSpace = ([x, y, z = 0]: Vec): Vec => [x, y, z];
-/** A renderer that draws everything elsewhere. */
-function shifted(on: graze.Renderer, by: Vec): graze.Renderer {
-  return { ...on,
-    point: (at, ...rest) => on.point!(add(at, by), ...rest), line: (from, to, ...rest) => on.line!(add(from, by), add(to, by), ...rest),
-    arrow: (from, ...rest) => on.arrow!(add(from, by), ...rest), text: (at, ...rest) => on.text!(add(at, by), ...rest) };
 }

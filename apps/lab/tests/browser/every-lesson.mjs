@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
-import { axe, frame, numbers, shown, small, test, visit } from "./harness.mjs";
+import { axe, bareColumns, frame, numbers, shown, small, test, visit } from "./harness.mjs";
 
 const home = await visit("");
 /** The addresses of all lessons. */
@@ -22,6 +22,7 @@ for (const lesson of lessons) {
       titles.add(`${i} ${await page.textContent(".words h2")}`);
       const words = (await page.textContent(".words p")).split(/\s+/).length;
       assert.ok(words <= 120, `step ${i + 1} has ${words} words`);
+      assert.deepEqual(await bareColumns(page), [], `step ${i + 1} has a column without a heading`);
       if (i + 1 < steps) await page.click("[data-next]");
     }
     assert.equal(titles.size, steps);
