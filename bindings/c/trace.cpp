@@ -113,13 +113,17 @@ graze::TraceAxis told(const GrazeTraceAxis& axis, const char* path) {
   return {told(axis.name), told_vector(axis.direction, path), axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper};
 }
 graze::TraceGjk told(const GrazeTraceGjk& step, const char* path) {
-  return {told_supports(step.simplex, step.simplex_count, path), told_vector(step.direction, path),
-          told(step.found, path), step.lower, step.upper, told_supports(step.polygon, step.polygon_count, path)};
+  return {told_supports(step.simplex, step.simplex_count, path),
+          told_vector(step.direction, path),
+          told(step.found, path),
+          step.lower,
+          step.upper,
+          told_supports(step.polygon, step.polygon_count, path)};
 }
 graze::TraceEpa told(const GrazeTraceEpa& step, const char* path) {
   if (!std::isfinite(step.face_depth)) graze::validate::fail(path, "a finite depth", step.face_depth);
-  return {told_vector(step.normal, path), step.face_depth, step.found_depth, told(step.found, path), step.faces,
-          told_supports(step.polygon, step.polygon_count, path)};
+  return {told_vector(step.normal, path), step.face_depth, step.found_depth,
+          told(step.found, path),         step.faces,      told_supports(step.polygon, step.polygon_count, path)};
 }
 graze::TraceCut told(const GrazeTraceCut& cut, const char* path) {
   return {told_vector(cut.from, path), told_vector(cut.to, path), told_corners(cut.left, cut.left_count, path)};
@@ -159,10 +163,10 @@ graze::Trace drawn_of(const GrazeTraceView* from) {
 
 /// One step: an axis as the one that decides, an iteration or an expansion in the difference, or a cut of the faces.
 void draw_step(graze::DebugDraw& on, const graze::Trace& trace, size_t step) {
-  const auto &axes = trace.axes;
-  const auto &gjk = trace.gjk;
-  const auto &epa = trace.epa;
-  const auto &cuts = trace.cuts;
+  const auto& axes = trace.axes;
+  const auto& gjk = trace.gjk;
+  const auto& epa = trace.epa;
+  const auto& cuts = trace.cuts;
   const size_t count = axes.size() + gjk.size() + epa.size() + cuts.size();
   if (step >= count) graze::validate::fail("step", "a number below " + std::to_string(count), std::to_string(step));
   if (step < axes.size()) return draw(on, axes[step]);

@@ -66,7 +66,8 @@ void draw(DebugDraw& on, const TraceEpa& expansion) {
   if (!on.wants(layer)) return;
   draw_outline(on, expansion.polygon, DrawMeaning::b);
   draw_origin(on);
-  on.line({}, expansion.normal * expansion.face_depth, layer, DrawMeaning::gap);
+  // The normal points from A to B: the way out of B - A is the other.
+  on.line({}, expansion.normal * -expansion.face_depth, layer, DrawMeaning::gap);
   on.point(difference(expansion.found), layer, DrawMeaning::contact);
 }
 
@@ -77,9 +78,7 @@ void draw(DebugDraw& on, const TraceAxis& axis, bool decides) {
   const Vec3d foot = on.area().center - along * middle;
   const Vec3d aside = any_perpendicular(along) * (on.area().size * beside);
   // A half-space's interval has no end.
-  const auto end = [&](double at) {
-    return std::isfinite(at) ? at : middle + std::copysign(on.area().size, at);
-  };
+  const auto end = [&](double at) { return std::isfinite(at) ? at : middle + std::copysign(on.area().size, at); };
   const auto interval = [&](double lower, double upper, const Vec3d& at, DrawMeaning meaning) {
     const double from = end(lower), to = end(upper);
     if (from <= to) on.line(at + along * from, at + along * to, layer, meaning);

@@ -661,7 +661,8 @@ static void test_broad_phase(void) {
   GrazeBroadPhased* broad = NULL;
   GrazeBufferd* buffer;
   OK(graze_buffer_create_d(&buffer));
-  REFUSED(graze_broad_phase_create_d((GrazeBroadPhaseKind)6, &broad), "kind: expected an enumerator from 0 to 5, got 6");
+  REFUSED(graze_broad_phase_create_d((GrazeBroadPhaseKind)6, &broad),
+          "kind: expected an enumerator from 0 to 5, got 6");
   OK(graze_broad_phase_create_d(GRAZE_HASHED_GRID, &broad));
   const GrazeAabbd unit = {{0, 0, 0}, {1, 1, 1}}, shifted = {{0.5, 0, 0}, {1.5, 1, 1}}, turned = {{1, 0, 0}, {0, 1, 1}};
   const GrazeAabbd nowhere = {{0, NAN, 0}, {1, 1, 1}};

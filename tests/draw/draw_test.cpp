@@ -261,6 +261,27 @@ TEST(DebugDraw, ACutShowsTheSideThatCutsAndWhatIsLeft) {
   EXPECT_EQ(count_of(drawn.points, DrawLayer::trace, DrawMeaning::contact), 3u);
 }
 
+TEST(DebugDraw, AnExpansionLeadsFromTheOriginToTheNearestSide) {
+  const plane::Shaped a = plane::Polygon<double>(std::vector<plane::Vec2d>{{-1, -1}, {1, -0.8}, {0.9, 1}, {-1.1, 0.7}});
+  const plane::Shaped b = plane::Ellipse<double>({1, 0.6});
+  Trace trace;
+  plane::distance(a, {}, b, plane::Pose2d{{0.7, 0.3}, {}}, &trace);
+  ASSERT_FALSE(trace.epa.empty());
+  for (const TraceEpa& expansion : trace.epa) {
+    DrawRecorder drawn;
+    draw(drawn, expansion);
+    const auto way = std::find_if(drawn.lines.begin(), drawn.lines.end(),
+                                  [](const DrawnPart& line) { return line.meaning == DrawMeaning::gap; });
+    ASSERT_NE(way, drawn.lines.end());
+    const Vec3d end = way->at[1];
+    EXPECT_DOUBLE_EQ(length(end), expansion.face_depth);
+    std::size_t on_side = 0;
+    for (const TraceSupport& s : expansion.polygon)
+      if (std::abs(dot(s.b - s.a - end, end)) <= 1e-9) ++on_side;
+    EXPECT_GE(on_side, 2u);
+  }
+}
+
 TEST(DebugDraw, AnIterationWhoseSimplexHoldsTheOriginHasNoDirection) {
   const TraceGjk enclosed{{{{0, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {-1, -1, 0}}}, {}, {}, 0, 0};
   DrawRecorder drawn;

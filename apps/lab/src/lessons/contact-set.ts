@@ -1,5 +1,5 @@
 import { ask, fewest, type Answer, type Axis, type ContactPoint } from "../graze.ts";
-import { drawDistance } from "../parts/answers.ts";
+import { drawDistance, drawTrace } from "../parts/answers.ts";
 import { digits } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
 import { add, inverse, length, quatAbout, rotate, scale, sub, toWorld } from "../parts/vec.ts";
@@ -128,8 +128,9 @@ export const contactSet: Lesson = {
       says: "The two faces that meet.",
       draw(d) {
         drawBodies(d, q, true);
-        d.polygon(faces.a, "a", { wide: true });
-        d.polygon(faces.b, "b", { wide: true });
+        d.polygon(faces.a, "a", { ghost: true });
+        d.polygon(faces.b, "b", { ghost: true });
+        drawTrace(d, { faces }, { look: { wide: true } });
       },
     });
     cuts.forEach((cut, i) => steps.push({
@@ -142,9 +143,7 @@ export const contactSet: Lesson = {
         drawBodies(d, q, true);
         d.polygon(faces![reference], reference, { ghost: true });
         d.polygon(i === 0 ? faces![incident] : cuts[i - 1].left, incident, { ghost: true });
-        if (cut.left.length > 0) d.polygon(cut.left, incident, { wide: true });
-        d.line(cut.from, cut.to, reference, { wide: true, key: `cut-${i}` });
-        cut.left.forEach((p) => d.point(p, "axis"));
+        drawTrace(d, { cuts: [cut] }, { look: { wide: true, key: `cut-${i}` }, points: () => ({}), contact: () => "axis", as: { normal: reference, contact: incident } }, 0);
       },
     }));
     manifold.points.forEach((p, i) => steps.push({

@@ -1,5 +1,5 @@
 import { ask, type EpaStep, type Support, type Trace } from "../graze.ts";
-import { drawDistance } from "../parts/answers.ts";
+import { drawDistance, drawTrace } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, quatAbout, scale, sub, unit } from "../parts/vec.ts";
@@ -65,15 +65,13 @@ export const epaPlane: Lesson = {
           const out = scale(s.normal.slice(0, 2), -1), at = (t: number): Vec => add(home, scale(out, t)), side = [-out[1], out[0]];
           const off = (k: number): number => Math.abs(dot(sub(polygon[k % polygon.length], home), out) - s.faceDepth);
           const nearest = polygon.map((_, k) => k).reduce((best, k) => (off(k) + off(k + 1) < off(best) + off(best + 1) ? k : best), 0);
-          d.polygon(polygon, "axis", {});
           d.line(polygon[nearest], polygon[(nearest + 1) % polygon.length], "axis", { wide: true });
           polygon.forEach((p) => d.point(p, "axis"));
-          d.arrow(home, at(s.faceDepth), "made", { wide: true });
           d.line(at(s.faceDepth), at(s.foundDepth), "touch", { dashed: true });
           d.line(add(at(s.foundDepth), scale(side, 2)), add(at(s.foundDepth), scale(side, -2)), "touch", { dashed: true });
           const joined = (list[i + 1]?.polygon ?? []).map(place).find((p) => !polygon.some((w) => w[0] === p[0] && w[1] === p[1]));
-          if (joined) d.point(joined, "touch", { wide: true, label: "s" });
-          drawOrigin(d);
+          drawTrace(d, { epa: [s] }, { by: home, points: (k) => ({ wide: true, label: k === 1 ? "s" : undefined }),
+            as: { b: "axis", gap: "made", normal: "ink", contact: joined ? "touch" : null } });
         },
       });
     });
@@ -86,7 +84,7 @@ export const epaPlane: Lesson = {
       draw(d) {
         drawBodies(d, q);
         d.polygon(difference, "made", { fill: true });
-        d.polygon((list.at(-1)?.polygon ?? []).map(place), "axis", {});
+        drawTrace(d, { difference: list.at(-1)?.polygon ?? [] }, { by: home, as: { ruledOut: "axis" } });
         d.arrow(home, add(home, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
         d.shape({ ...q.b!, translation: sub(q.b!.translation!, scale(answer.normal!, answer.distance!)) }, "b", { ghost: true, dashed: true });
         drawDistance(d, answer, { look: { wide: true } });
@@ -126,7 +124,6 @@ function drawFace(d: Drawing, s: EpaStep, corners: Support[]): void {
   const out = scale(s.normal, -1), reach = (t: number): Vec => add(homeSpace, scale(out, t));
   const face = corners.filter((p) => Math.abs(dot(sub(p.b, p.a), out) - s.faceDepth) <= 1e-9 * s.foundDepth);
   if (face.length === 3) d.polygon(face.map(at), "axis", { wide: true });
-  d.arrow(homeSpace, reach(s.faceDepth), "made", { wide: true });
   d.line(reach(s.faceDepth), reach(s.foundDepth), "touch", { wide: true });
   const one = unit(cross(out, Math.abs(out[1]) < 0.8 ? [0, 1, 0] : [1, 0, 0])), other = cross(out, one);
   d.polygon([[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, y]) => add(reach(s.foundDepth), add(scale(one, 0.6 * x), scale(other, 0.6 * y)))), "touch", { ghost: true });
@@ -141,10 +138,8 @@ export const epaSpace: Lesson = {
   steps(state) {
     const { q } = state, answer = ask(q), list = answer.trace.epa, points = answer.trace.polytope?.points ?? [];
     const first = beginning(answer.trace);
-    const paint = (d: Drawing): void => {
-      drawBodies(d, q);
-      d.point(homeSpace, "ink", { wide: true, label: "O" });
-    };
+    const paint = (d: Drawing): void => drawBodies(d, q);
+    const origin = (d: Drawing): void => d.point(homeSpace, "ink", { wide: true, label: "O" });
     const steps: Step[] = [{
       title: "The tetrahedron around the origin",
       text: list.length ? `GJK ends with a simplex that holds O. Grown to a tetrahedron where it is flat, it is the polytope that EPA begins with: below, in the place of the difference, which nobody builds. ${list.length} steps follow.` +
@@ -153,6 +148,7 @@ export const epaSpace: Lesson = {
       says: "Two curved shapes and the polytope within their difference.",
       draw(d) {
         paint(d);
+        origin(d);
         if (points.length) drawHull(d, points.slice(0, first ?? points.length));
       },
     }];
@@ -167,9 +163,10 @@ export const epaSpace: Lesson = {
         const before = points.slice(0, first === null ? points.length : first + i);
         drawHull(d, before);
         drawFace(d, s, before);
-        if (first === null) return;
-        const found = points[first + i];
-        d.point(at(found), "touch", { wide: true, label: "s" });
+        const found = first === null ? null : points[first + i];
+        drawTrace(d, { epa: [{ ...s, found: found ?? undefined }] }, { by: homeSpace, look: { wide: true },
+          points: (k) => ({ wide: true, label: k === 1 ? "s" : undefined }), as: { gap: "made", normal: "ink", contact: found ? "touch" : null } });
+        if (!found) return;
         d.point(found.a, "a", { wide: true });
         d.point(found.b, "b", { wide: true });
       },
@@ -185,6 +182,7 @@ export const epaSpace: Lesson = {
       says: `Depth ${digits(-answer.distance!, 6)}, normal ${vector(answer.normal, 3)}.`,
       draw(d) {
         paint(d);
+        origin(d);
         drawHull(d, points);
         d.arrow(homeSpace, add(homeSpace, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
         d.shape({ ...q.b!, translation: sub(q.b!.translation!, scale(answer.normal!, answer.distance!)) }, "b", { ghost: true });

@@ -5,7 +5,7 @@ import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, mix, quatAbout, scale, unit } from "../parts/vec.ts";
 import { box, type State, type Vec } from "../question.ts";
 import { along, dragBody, drawBodies, drawContacts, later, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
-import { axisTable, leastOf, verdict, verdictFormula } from "./separating-axes-plane.ts";
+import { axisTable, drawAxis, leastOf, verdict, verdictFormula } from "./separating-axes-plane.ts";
 
 const arms = { a: [1.6, 0, 0], b: [1.5, 0, 0] };
 const situation = (translation: Vec, rotation: Vec, rotationA: Vec = [0, 0, 0, 1]): State => ({
@@ -22,10 +22,8 @@ function ruler(d: Drawing, axis: Axis, state: State): void {
   const base = add(center, scale(side, 1.9));
   const at = (t: number, beside = 0): Vec => add(add(base, scale(u, t - dot(base, u))), scale(side, beside));
   d.arrow(at(Math.min(...ends) - 0.4), at(Math.max(...ends) + 0.4), "axis", { label: axis.name, key: axis.name });
-  d.line(at(Number(axis.a[0]), 0.1), at(Number(axis.a[1]), 0.1), "a", { wide: true });
-  d.line(at(Number(axis.b[0]), 0.2), at(Number(axis.b[1]), 0.2), "b", { wide: true });
+  drawAxis(d, axis, { center: add(base, scale(side, 0.15)), size: 3 });
   const [from, to] = [Number(axis.b[0]), Number(axis.a[1])];
-  d.line(at(from, 0.15), at(to, 0.15), axis.overlap < 0 ? "out" : "touch", { wide: true });
   if (axis.overlap >= 0) return;
   // A plane across the axis, through the gap.
   const middle = at((from + to) / 2, -1.9), up2 = cross(side, u);

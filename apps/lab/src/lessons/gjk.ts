@@ -1,5 +1,5 @@
 import { ask, type GjkStep, type Support } from "../graze.ts";
-import { drawDistance } from "../parts/answers.ts";
+import { drawDistance, drawTrace } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, length, quatAbout, scale, sub, unit } from "../parts/vec.ts";
@@ -21,7 +21,6 @@ function namesOf(list: GjkStep[]): (p: Support) => string {
 /** The bounds of a step as a picture: the line (in space a square) through s across n, that through v, and the strip between. */
 function drawBounds(d: Drawing, zero: Vec, n: Vec, beyond: number, lower: number, upper: number, s: Vec): void {
   const at = (t: number): Vec => add(zero, scale(n, t)), from = Math.max(0, lower);
-  d.arrow(zero, at(1), "axis", { wide: true, label: "n" });
   if (zero.length === 2) {
     const side = scale([-n[1], n[0]], 3);
     const across = (t: number): [Vec, Vec] => [add(at(t), side), sub(at(t), side)];
@@ -41,14 +40,15 @@ function drawBounds(d: Drawing, zero: Vec, n: Vec, beyond: number, lower: number
 interface Situation {
   q: Question;
   paint: (d: Drawing) => void;
-  /** The place at which the origin of the difference is drawn. */
+  origin: (d: Drawing) => void;
+  /** Where the origin of the difference is drawn. */
   zero: Vec;
   /** Further digits, for places that are far away. */
   more?: number;
 }
 
 /** Steps of the trace, whatever the dimension. */
-function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
+function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
   const answer = ask(q), list = answer.trace.gjk, flat = q.dimension === 2;
   const cut = (p: Vec): Vec => p.slice(0, flat ? 2 : 3);
   const difference = (p: Support): Vec => sub(cut(p.b), cut(p.a));
@@ -60,16 +60,16 @@ function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
     caption: "bounds of the distance", at,
     series: [{ name: "at most", meaning: "touch", values: list.map((s) => s.upper) }, { name: "at least", meaning: "made", values: list.map((s) => s.lower) }],
   });
-  const drawSimplex = (d: Drawing, simplex: Support[]): void => {
-    const corners = simplex.map(spot);
-    if (corners.length > 2) d.polygon(corners.slice(0, 3), "axis", { wide: true });
-    for (let k = 0; k < corners.length; k++)
-      for (let l = k + 1; l < corners.length; l++) d.line(corners[k], corners[l], "axis", { wide: true });
-    simplex.forEach((p, k) => {
-      d.point(corners[k], "axis", { wide: true, label: name(p), key: name(p) });
+  /** An iteration as the library draws it, with the letters of its points, which are seen on the shapes too. */
+  const drawIteration = (d: Drawing, s: Pick<GjkStep, "simplex" | "direction" | "found">): void => {
+    if (s.simplex.length > 2) d.polygon(s.simplex.slice(0, 3).map(spot), "axis", { wide: true });
+    const letters = [...s.simplex.map(name), undefined, "s"];
+    drawTrace(d, { gjk: [{ ...s, lower: 0, upper: 0 }] }, { by: zero, look: { wide: true }, label: "n",
+      points: (i) => ({ wide: true, label: letters[i], key: letters[i] }), as: { b: "axis", contact: "made", ruledOut: null } });
+    for (const p of s.simplex) {
       d.point(cut(p.a), "a", { key: name(p) });
       d.point(cut(p.b), "b", { key: name(p) });
-    });
+    }
   };
   const cells = (label: string, p: Support): string[] => [label, vector(cut(p.a), 3 + more), vector(cut(p.b), 3 + more), vector(difference(p), 3)];
   const steps: Step[] = [{
@@ -78,7 +78,10 @@ function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
       `${flat ? "three" : "four"} of its points, a simplex, and calls v the point of the simplex nearest to O, n the direction of length one from O to v, ` +
       "and s the point of the difference that lies furthest against n: B's furthest point against n minus A's furthest along it.",
     says: "The two shapes and their difference.",
-    draw: paint,
+    draw(d) {
+      paint(d);
+      origin(d);
+    },
   }];
   list.forEach((s, i) => {
     const last = i === list.length - 1, names = s.simplex.map(name);
@@ -97,7 +100,7 @@ function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
         says: `Iteration ${i + 1}: the distance is between 0 and 0.`,
         draw(d) {
           paint(d);
-          drawSimplex(d, s.simplex);
+          drawIteration(d, s);
         },
       });
       return;
@@ -124,10 +127,9 @@ function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
         draw(d) {
           paint(d);
           drawBounds(d, zero, n, beyond, s.lower, s.upper, spot(s.found));
-          drawSimplex(d, s.simplex);
+          drawIteration(d, s);
           d.line(zero, add(zero, scale(n, s.upper)), "touch", { dashed: true });
           d.point(add(zero, scale(n, s.upper)), "touch", { label: "v" });
-          d.point(spot(s.found), "made", { wide: true, label: "s", key: "s" });
           d.point(cut(s.found.a), "a", { wide: true, key: "s" });
           d.point(cut(s.found.b), "b", { wide: true, key: "s" });
         },
@@ -152,7 +154,8 @@ function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
     says: `Signed distance ${digits(answer.distance, 6)}.`,
     draw(d) {
       paint(d);
-      if (around.length) drawSimplex(d, around);
+      if (around.length) drawIteration(d, { simplex: around, direction: [0, 0, 0], found: around[0] });
+      else origin(d);
       drawDistance(d, answer, { look: { wide: true } });
       d.arrow(zero, add(zero, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
     },
@@ -185,10 +188,9 @@ export const gjkPlane: Lesson = {
   drag: (s, id, to) => dragBody(s, id, to, arms),
   steps({ q }) {
     const zero = add(home, away(q)), far = length(away(q));
-    return walk({ q, zero, more: far > 0 ? Math.floor(Math.log10(far)) : 0, paint(d) {
+    return walk({ q, zero, more: far > 0 ? Math.floor(Math.log10(far)) : 0, origin: (d) => drawOrigin(d, zero), paint(d) {
       drawBodies(d, q);
       d.polygon((ask(q).trace.difference ?? []).map((p) => add(zero, sub(p.b, p.a).slice(0, 2))), "made", { fill: true, ghost: true });
-      drawOrigin(d, zero);
     } });
   },
   tryThis: [
@@ -218,8 +220,7 @@ export const gjkSpace: Lesson = {
   dimension: 3, view: { center: [0.8, -0.7, 0], reach: 3.2 }, start: spaceState([1.9, 1, 0.2], quatAbout([0.3, 0.2, 1], 0.7)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", armsSpace.a), moveHandle(s, "b"), turnHandle(s, "b", armsSpace.b)],
   drag: (s, id, to) => dragBody(s, id, to, armsSpace),
-  steps: ({ q }) => walk({ q, zero: homeSpace, paint(d) {
-    drawBodies(d, q);
+  steps: ({ q }) => walk({ q, zero: homeSpace, paint: (d) => drawBodies(d, q), origin(d) {
     for (const axis of [[0.25, 0, 0], [0, 0.25, 0], [0, 0, 0.25]]) d.line(sub(homeSpace, axis), add(homeSpace, axis), "ink", { wide: true });
     d.text(homeSpace, "O", "ink");
   } }),

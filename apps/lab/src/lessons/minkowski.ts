@@ -1,5 +1,5 @@
 import { ask, type Support } from "../graze.ts";
-import { drawDistance } from "../parts/answers.ts";
+import { drawDistance, drawTrace } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
 import { corners } from "../parts/outline.ts";
@@ -83,7 +83,7 @@ function sliding(state: State, corners: Support[]): Step {
       corners.slice(0, passed.length).forEach((corner) => d.shape(moved(corner), "b", { ghost: true }));
       d.shape(moved(made), "b");
       [...passed, place(made)].forEach((p, i, all) => i > 0 && d.line(all[i - 1], p, "made", { wide: true }));
-      shape.forEach((p, i) => d.line(p, shape[(i + 1) % shape.length], "made", { ghost: true }));
+      drawTrace(d, { difference: corners }, { by: home, look: { ghost: true }, as: { ruledOut: "made" } });
       d.point(place(made), "made", { wide: true, label: "p" });
       if (!sum) d.point(flat(made.a), "touch", { wide: true });
       drawOrigin(d);

@@ -1,5 +1,5 @@
 import { ask, type Axis } from "../graze.ts";
-import { drawDistance } from "../parts/answers.ts";
+import { drawDistance, drawTrace, type Marks } from "../parts/answers.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { digits, vector } from "../parts/dom.ts";
 import { add, dot, mix, rotate, scale, sub } from "../parts/vec.ts";
@@ -20,6 +20,9 @@ interface Shown {
   corners?: [number, number];
   verdict?: boolean;
 }
+/** The shadows on an axis side by side, and what they share or leave free, as the library draws them. */
+export const drawAxis = (d: Drawing, axis: Axis, marks: Marks): void =>
+  drawTrace(d, { winner: axis.name, axes: [axis] }, { ...marks, look: { wide: true }, as: { gap: "out", normal: null, ...marks.as } });
 /** The axis as a ruler beside the shapes, with the shadows of A and B on it. */
 function ruler(d: Drawing, axis: Axis, bodies: Body[], shown: Shown = {}): void {
   const u = flat(axis.direction), n = [-u[1], u[0]];
@@ -28,6 +31,8 @@ function ruler(d: Drawing, axis: Axis, bodies: Body[], shown: Shown = {}): void 
   const at = (t: number, side = 0): Vec => add(scale(u, t), scale(n, -(beyond + side)));
   const ends = [...axis.a, ...axis.b].map(Number);
   d.arrow(at(Math.min(...ends) - 0.4), at(Math.max(...ends) + 0.4), "axis", { label: axis.name, key: axis.name });
+  // What none of the corners is shown of has no shadow yet.
+  const spans: [Axis["a"], Axis["b"]] = [["infinity", "-infinity"], ["infinity", "-infinity"]];
   bodies.forEach((body, i) => {
     const meaning = i === 0 ? "a" : "b", side = i === 0 ? 0.12 : 0.26;
     const list = corners(body, 9).slice(0, shown.corners?.[i] ?? Infinity), feet = list.map((p) => dot(p, u));
@@ -35,12 +40,11 @@ function ruler(d: Drawing, axis: Axis, bodies: Body[], shown: Shown = {}): void 
       d.line(p, at(feet[k], side), meaning, { ghost: true, dashed: true });
       if (shown.corners) d.point(at(feet[k], side), meaning);
     });
-    if (list.length) d.line(at(Math.min(...feet), side), at(Math.max(...feet), side), meaning, { wide: true });
+    if (list.length) spans[i] = [Math.min(...feet), Math.max(...feet)];
   });
-  if (!shown.verdict) return;
-  const [from, to] = [Number(axis.b[0]), Number(axis.a[1])], gap = axis.overlap < 0;
-  d.line(at(from, 0.19), at(to, 0.19), gap ? "out" : "touch", { wide: true });
-  if (!gap) return;
+  drawAxis(d, shown.verdict ? axis : { ...axis, a: spans[0], b: spans[1] }, { center: at(0, 0.19), size: 4.2, as: shown.verdict ? {} : { contact: null, gap: null } });
+  if (!shown.verdict || axis.overlap >= 0) return;
+  const [from, to] = [Number(axis.b[0]), Number(axis.a[1])];
   const middle = (from + to) / 2, far = add(scale(u, middle), scale(n, -Math.min(...across) + 0.5));
   d.line(at(middle, 0.4), far, "ink", { dashed: true, label: "separates" });
 }

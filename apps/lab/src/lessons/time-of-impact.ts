@@ -1,5 +1,5 @@
 import { ask, bodyAt } from "../graze.ts";
-import { drawDistance } from "../parts/answers.ts";
+import { drawCast, drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Handle } from "../parts/drawing.ts";
 import { corners } from "../parts/outline.ts";
@@ -39,7 +39,7 @@ export const timeOfImpact: Lesson = {
       return { t, overlap: ask({ query: "overlap", dimension: 2, a: { shape: still.shape, translation: still.translation, rotation: still.rotation }, b: { shape: q.b!.shape, translation: q.b!.translation, rotation: q.b!.rotation } }).overlap! };
     });
     const path = (d: Parameters<Step["draw"]>[0], upTo = T): void => {
-      for (let k = 1; k <= 12; k++) if ((T * k) / 12 <= upTo) d.shape(bodyAt(a0, (T * k) / 12), "a", { ghost: true });
+      drawCast(d, q, upTo, { as: { path: "out", ghost: "a", moving: null } });
       d.arrow(a0.translation!, add(a0.translation!, scale(a0.linear!, T)), "axis", { dashed: true, label: "v" });
     };
     const hits = seen.filter((s) => s.overlap).length;

@@ -71,7 +71,7 @@ export function drawCast(d: Drawing, { a, dimension }: Question, duration: numbe
   const flat = dimension === 2, shape = (flat ? planeShapeOf(a.shape) : shapeOf(a.shape)) as graze.Shape;
   const pose = flat ? { translation: a.translation, rotation: a.rotation } : poseOf(a);
   try {
-    drawsOf(flat).cast({ shape, ...pose, linear: a.linear } as graze.Moving, null, onto(d, marks), { duration });
+    drawsOf(flat).cast({ shape, ...pose, linear: a.linear, angular: a.angular } as graze.Moving, null, onto(d, marks), { duration });
   } finally {
     shape.dispose();
   }

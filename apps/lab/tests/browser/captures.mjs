@@ -151,6 +151,68 @@ test("captures: a frame is asked as a scene is", async () => {
   await page.context().close();
 });
 
+test("captures: the trace of the selected pair is drawn step by step, and stays while frames are scrubbed", async () => {
+  const page = await scene("shapes");
+  await page.setInputFiles("input[type=file]", { name: "heap.capture", mimeType: "application/octet-stream", buffer: capturedHeap() });
+  await page.waitForSelector("[data-next]");
+  await page.click('[aria-label="Last frame"]');
+  await page.locator(".numbers button.choose", { hasText: /box \d+ × box/ }).first().click();
+  const asked = JSON.parse(await page.inputValue("textarea")), said = () => page.textContent(".trace-steps output");
+  const drawn = () => page.evaluate(() => window.lab.stage.drawn.children.length), plain = await drawn();
+  const { trace } = JSON.parse(query(JSON.stringify({ ...asked, explain: true })));
+  await page.selectOption("[data-explained]", "contacts");
+  const count = trace.axes.length + trace.gjk.length + trace.epa.length + (trace.cuts ?? []).length;
+  assert.equal(await said(), `${count} steps`);
+  await page.click("[data-trace-next]");
+  assert.equal(await said(), `1 / ${count}. Axis ${trace.axes[0].name}: ${trace.axes[0].overlap >= 0 ? "overlap" : "gap"} ${short(Math.abs(trace.axes[0].overlap), 5)}`);
+  assert.ok((await drawn()) > plain, "nothing is drawn");
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-trace.png"), fullPage: true });
+  await page.click('[aria-label="Previous frame"]');
+  assert.match(await said(), /^1 \/ \d+\. Axis A0: /);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("captures: rays, casts and measures work in a frame, and end with it", async () => {
+  const page = await scene("shapes");
+  await page.setInputFiles("input[type=file]", { name: "heap.capture", mimeType: "application/octet-stream", buffer: capturedHeap() });
+  await page.waitForSelector("[data-next]");
+  await page.click('[aria-label="Last frame"]');
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  const click = (x, y) => page.mouse.click(picture.x + x * picture.width, picture.y + y * picture.height);
+  const answered = async () => {
+    const asked = JSON.parse(await page.inputValue("textarea"));
+    return [asked, JSON.parse(query(JSON.stringify(asked)))];
+  };
+  await page.click('button:text-is("Measure")');
+  await click(0.5, 0.5);
+  await click(0.45, 0.9);
+  const [asked, { distance }] = await answered();
+  assert.deepEqual([asked.query, asked.a.shape.type, asked.b.shape.type], ["distance", "sphere", "sphere"]);
+  assert.ok(distance > 0.1, `${distance}`);
+  assert.equal(await page.textContent(".words h2"), `${short(distance, 6)} apart`);
+  assert.ok((await page.$$eval(".labels span", (list) => list.map((x) => x.textContent))).includes(short(distance, 5)), "not drawn");
+  await page.click('button:text-is("Shoot a ray")');
+  await click(0.5, 0.5);
+  const [ray, { t }] = await answered();
+  assert.equal(ray.query, "raycast");
+  assert.ok((await page.textContent(".words")).includes(`after ${short(t, 6)}`));
+  assert.equal(await page.inputValue("[data-explained]"), "raycast");
+  await page.click('button:text-is("Cast the body")');
+  assert.match(await page.textContent(".words"), /Select the body first/);
+  await page.click('[data-fold=bodies] button:text-is("box 15")');
+  await page.click('button:text-is("Cast the body")');
+  await click(0.45, 0.9);
+  const [cast, hit] = await answered();
+  assert.equal(cast.query, "cast");
+  assert.ok((await page.textContent(".words")).includes(`at ${short(hit.t, 6)}`));
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-cast.png"), fullPage: true });
+  await page.click('[aria-label="Previous frame"]');
+  assert.equal(await page.textContent(".words h2"), "box 15", "the shot is of another frame");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("captures: the address of one that is served holds frame, selection, layers and camera; of a scene what was done", async () => {
   // The file grows as a program writes it: two seconds once somebody has looked at the first one.
   let written = 60;

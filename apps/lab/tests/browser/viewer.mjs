@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { lightsUp, scene } from "./scene-page.mjs";
+import { lightsUp, press, scene } from "./scene-page.mjs";
 import { axe, drag, frame, query, short, shown, small, test, visit } from "./harness.mjs";
 
 test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
@@ -116,6 +116,72 @@ test("viewer: the trace of the selected pair is drawn step by step, forward and 
   for (let i = 0; i < trace.axes.length; i++) await page.click("[data-trace-back]");
   assert.ok(await page.isDisabled("[data-trace-back]"));
   assert.deepEqual(await labels(), plain);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: the question whose answer is explained is chosen, and the address holds it with its step", async () => {
+  const page = await scene("heavy");
+  await page.click('.numbers button.choose:text-is("light × heavy")');
+  const asked = JSON.parse(await page.inputValue("textarea"));
+  const listed = () => page.$$eval("[data-explained] option", (list) => list.map((x) => x.value));
+  assert.deepEqual(await listed(), ["overlap", "distance", "contacts"]);
+  assert.equal(await page.inputValue("[data-explained]"), "distance");
+  const drawn = () => page.evaluate(() => window.lab.stage.drawn.children.length);
+  const plain = await drawn();
+  for (const name of ["overlap", "distance", "contacts"]) {
+    await page.selectOption("[data-explained]", name);
+    const margin = name === "contacts" ? asked.margin : undefined;
+    const { trace } = JSON.parse(query(JSON.stringify({ ...asked, query: name, margin, explain: true })));
+    const { axes, gjk, epa, cuts = [] } = trace, count = axes.length + gjk.length + epa.length + cuts.length;
+    assert.equal(await page.textContent(".trace-steps output"), `${count} steps`, name);
+    if (name === "contacts") assert.ok(cuts.length > 0, "no face is cut");
+    await press(page, "[data-trace-next]", count);
+    const last = cuts.length ? `Cut ${cuts.length} of the face: ${cuts.at(-1).left.length} corners are left` : `Axis ${axes.at(-1).name}: `;
+    assert.ok((await page.textContent(".trace-steps output")).startsWith(`${count} / ${count}. ${last}`), await page.textContent(".trace-steps output"));
+    assert.ok(await page.isDisabled("[data-trace-next]"));
+    assert.ok((await drawn()) > plain, `${name} draws nothing`);
+    if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, `viewer-explains-${name}.png`) });
+  }
+  const said = await page.textContent(".trace-steps output");
+  const other = await visit(await page.evaluate(() => location.hash), small);
+  assert.equal(await other.inputValue("[data-explained]"), "contacts");
+  assert.equal(await other.textContent(".trace-steps output"), said);
+  for (const one of [page, other]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("viewer: what is shot is explained too", async () => {
+  const page = await scene("heavy");
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  const aim = async (button) => {
+    await page.click(`button:text-is("${button}")`);
+    await page.mouse.click(picture.x + picture.width / 2, picture.y + picture.height / 2);
+  };
+  const drawn = () => page.evaluate(() => window.lab.stage.drawn.children.length);
+  /** Goes through the steps of what was shot, each of which is drawn. */
+  const walked = async () => {
+    const { trace } = JSON.parse(query(JSON.stringify({ ...JSON.parse(await page.inputValue("textarea")), explain: true })));
+    const count = (trace.spans ?? []).length + (trace.steps ?? []).length, plain = await drawn();
+    assert.ok(count > 0, trace.method);
+    assert.equal(await page.textContent(".trace-steps output"), `${count} steps`);
+    for (let i = 0; i < count; i++) {
+      await page.click("[data-trace-next]");
+      assert.ok((await drawn()) > plain, `step ${i + 1} draws nothing`);
+    }
+    return page.textContent(".trace-steps output");
+  };
+  await aim("Shoot a ray");
+  assert.equal(await page.inputValue("[data-explained]"), "raycast");
+  assert.match(await walked(), /^3 \/ 3\. slab z: inside from /);
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await page.click('button:text-is("Cast the body")');
+  await page.mouse.click(picture.x + picture.width / 2, picture.y + picture.height * 0.3);
+  assert.equal(JSON.parse(await page.inputValue("textarea")).query, "cast");
+  assert.match(await walked(), /Advancement \d+: at .* the distance is /);
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-explains-cast.png") });
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });
