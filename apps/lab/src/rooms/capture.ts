@@ -185,6 +185,7 @@ export class CaptureRoom implements Room {
     return at < 0 ? undefined : at;
   }
   private takeAim(kind: Kind): void {
+    this.timeline.stop();
     try {
       this.shooting.takeAim(kind, this.everything.run, this.thrown(this.everything));
     } catch (error) {

@@ -69,7 +69,7 @@ function advanced(question: Question, { steps = [] }: Trace): TraceStep[] {
       const look = { wide: true };
       if (ray) {
         const point = add(ray.origin, scale(ray.direction, t / Math.hypot(...ray.direction)));
-        return drawRay(d, ray as never, { t, point, normal: scale(normal, -1) } as never, { size, look });
+        return drawRay(d, ray as never, { t, point, normal } as never, { size, look });
       }
       drawCast(d, question, t, { look });
       const { linear, angular: _, ...there } = a, { linear: other, angular: __, ...met } = b!;
