@@ -41,7 +41,7 @@ interface Situation {
   q: Question;
   paint: (d: Drawing) => void;
   origin: (d: Drawing) => void;
-  /** Where the origin of the difference is drawn. */
+  /** The place at which the origin of the difference is drawn. */
   zero: Vec;
   /** Further digits, for places that are far away. */
   more?: number;

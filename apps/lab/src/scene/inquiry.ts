@@ -66,7 +66,7 @@ export class Inquiry {
     const touch = answer.overlap ? "They touch" : "They are apart";
     this.tell(`${bodies[i].name} and ${bodies[j].name}`,
       answer.error ?? distance.error ?? `${touch}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`,
-      ...lessonsOf(question, distance.distance! > 0).map(({ lesson, shows, state }) =>
+      ...lessonsOf(question, distance.trace).map(({ lesson, shows, state }) =>
         h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, `Step through ${shows}`))));
     this.offer(question);
     this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],

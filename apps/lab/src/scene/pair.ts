@@ -1,11 +1,11 @@
 // The facts about two bodies: their distance, the lessons that explain them, and the features with which they touch.
 
-import { ask, type Answer } from "../graze.ts";
+import { ask, type Answer, type Trace } from "../graze.ts";
 import { drawDistance, drawManifold } from "../parts/answers.ts";
 import { digits } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { add, scale } from "../parts/vec.ts";
-import type { Question, State, Vec } from "../question.ts";
+import { circle, radiusOf, type Body, type Question, type State, type Vec } from "../question.ts";
 import { keyOf } from "./pairs.ts";
 import type { Pair, Run } from "./run.ts";
 
@@ -27,7 +27,7 @@ export function askPair(run: Run, [i, j]: number[]): AskedPair | null {
   return { bodies: [i, j], question, distance: ask({ ...question, query: "distance", margin: undefined } as Question) };
 }
 
-/** Shapes of the plane that GJK's lesson draws. */
+/** Shapes of the plane that GJK's and EPA's lessons draw. */
 const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
 
 /** A lesson that goes through a pair step by step, by its subject, and the state in which it begins. */
@@ -36,16 +36,25 @@ export interface PairLesson {
   shows: string;
   state: State;
 }
-/** The lessons for a pair; none where no lesson draws it. `apart`: whether the two are. */
-export function lessonsOf(q: Question, apart: boolean): PairLesson[] {
-  const pair = { dimension: q.dimension, a: q.a, b: q.b }, flat = q.dimension === 2;
+/** Two balls as the lesson has them: circles, and how far their centres lie before the plane of the screen. */
+function ballsState({ a, b, dimension }: Question): State {
+  if (dimension === 2) return { q: { query: "contacts", dimension, a, b } };
+  const cut = ({ shape, translation }: Body): Body => ({ shape: circle(radiusOf(shape)), translation: translation!.slice(0, 2) });
+  return { q: { query: "contacts", dimension: 2, a: cut(a), b: cut(b!) }, choice: { view: "space", az: a.translation![2], bz: b!.translation![2] } };
+}
+/** The lessons for a pair whose distance was found by a trace; none for what none draws. */
+export function lessonsOf(q: Question, { gjk, epa }: Trace): PairLesson[] {
+  const pair = { dimension: q.dimension, a: q.a, b: q.b }, flat = q.dimension === 2, { type } = q.a.shape;
   const contacts: State = { q: { query: "contacts", margin: q.margin, ...pair } }, distance: State = { q: { query: "distance", ...pair } };
-  const boxes = q.a.shape.type === "box" && q.b!.shape.type === "box";
-  if (boxes && flat) return [{ lesson: "separating-axes-plane", shows: "its axes", state: contacts }];
-  if (boxes) return [{ lesson: "fifteen-axes", shows: "its axes", state: contacts }, { lesson: "contact-set", shows: "its contacts", state: contacts }];
-  if (flat && ![q.a, q.b!].every(({ shape }) => convexInPlane.includes(shape.type))) return [];
-  const gjk = { lesson: flat ? "gjk" : "gjk-space", shows: "GJK", state: distance };
-  return apart ? [gjk] : [gjk, { lesson: flat ? "epa" : "epa-space", shows: "EPA", state: distance }];
+  const both = (one: string, other = one): boolean => type === one && q.b!.shape.type === other, rounded = q.a.shape.margin || q.b!.shape.margin;
+  if (both("box") && flat) return [{ lesson: "separating-axes-plane", shows: "its axes", state: contacts }];
+  if (both("box")) return [{ lesson: "fifteen-axes", shows: "its axes", state: contacts }, { lesson: "contact-set", shows: "its contacts", state: contacts }];
+  if (both("sphere") || both("circle")) return [{ lesson: "spheres", shows: "its balls", state: ballsState(q) }];
+  if (!flat && !rounded && both("plane", "box")) return [{ lesson: "planes-boxes", shows: "its corners", state: distance }];
+  if (!flat && !rounded && both("box", "plane")) return [{ lesson: "planes-boxes", shows: "its corners", state: { q: { query: "distance", a: q.b!, b: q.a } } }];
+  if (flat && ![type, q.b!.shape.type].every((one) => convexInPlane.includes(one))) return [];
+  return [...(gjk.length ? [{ lesson: flat ? "gjk" : "gjk-space", shows: "GJK", state: distance }] : []),
+    ...(epa.length ? [{ lesson: flat ? "epa" : "epa-space", shows: "EPA", state: distance }] : [])];
 }
 
 /** A vertex, an edge or a face, to be lit up with the point that it belongs to. */

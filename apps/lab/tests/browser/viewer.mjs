@@ -153,6 +153,30 @@ test("viewer: the question whose answer is explained is chosen, and the address 
   }
 });
 
+test("viewer: a pair leads to the lesson that goes through it, and to none that has nothing to show", async () => {
+  const sphere = { type: "sphere", sphere: { radius: 1 } }, box = { type: "box", box: { size: [1, 1, 1] } };
+  const capsule = { type: "capsule", capsule: { height: 1, radiusBottom: 0.5, radiusTop: 0.5 } };
+  const pairs = [
+    [sphere, sphere, ["its balls"]], [box, { type: "plane" }, ["its corners"]],
+    [sphere, capsule, []], [box, { type: "ellipsoid", ellipsoid: { radii: [1, 0.5, 1] } }, ["GJK"]]];
+  for (const [a, b, shown] of pairs) {
+    const q = { query: "distance", a: { shape: a, translation: [0, 3, 0] }, b: { shape: b, translation: [2.5, 0.2, 0.5] } };
+    const page = await visit(`#/scene?q=${encodeURIComponent(JSON.stringify(q))}&at=${encodeURIComponent('{"selected":[0,1]}')}`, small);
+    await page.waitForFunction(() => window.lab.shown.bodies === 2);
+    const links = await page.$$eval(".words a", (list) => list.map((x) => x.textContent.replace("Step through ", "")));
+    assert.deepEqual(links, shown, `${a.type} and ${b.type}`);
+    if (links.length) {
+      const { distance } = JSON.parse(query(JSON.stringify(q)));
+      await page.click(".words a");
+      await page.waitForSelector("[data-next]");
+      await page.click('[aria-label="Last step"]');
+      assert.ok((await page.textContent("article")).includes(short(distance, 4)), `${links}: not ${distance}`);
+    }
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
+});
+
 test("viewer: what is shot is explained too", async () => {
   const page = await scene("heavy");
   const picture = await (await page.$(".stage3 canvas")).boundingBox();
