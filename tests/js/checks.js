@@ -838,7 +838,7 @@ export const checks = [
     // A trace as data draws what drew it when it was asked, whole and step by step; also where the plane has two numbers.
     const corners = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]], two = (v) => v.slice(0, 2);
     const tilted = { translation: [0.2, 1.8, 0.3], rotation: [0, 0, Math.sin(0.1), Math.cos(0.1)] };
-    const inPlane = [new graze.plane.Box([2, 1]), {}, new graze.plane.Capsule([-1, 0], [1, 0], 0.1), { translation: [0.5, 0.3] }];
+    const inPlane = [new graze.plane.Box([2, 1]), {}, new graze.plane.Ellipse([1, 0.6]), { translation: [0.5, 0.3] }];
     for (const [library, query, args] of [
       [graze, "contacts", [box, {}, box, tilted]], [graze, "distance", [new graze.ConvexHull(corners), {}, box, { translation: [0.5, 0.4, 0.1] }]],
       [graze.plane, "distance", inPlane]]) {
@@ -851,13 +851,13 @@ export const checks = [
       }
       throws(() => library.draw.trace(trace, renderer, { step: count }), `step: expected a number below ${count}, got ${count}`, graze.InvalidValue);
     }
-    const { gjk: [iteration] } = graze.plane.traced.distance(...inPlane).trace;
+    const { gjk: [iteration] } = graze.plane.traced.distance(...inPlane.slice(0, 3), { translation: [3, 0.3] }).trace;
     const flatly = { simplex: iteration.simplex.map(({ a, b }) => ({ a: two(a), b: two(b) })), direction: two(iteration.direction),
       found: { a: two(iteration.found.a), b: two(iteration.found.b) } };
     equal(drawing(() => graze.draw.trace({ gjk: [flatly] }, renderer)), drawing(() => graze.draw.trace({ gjk: [{ ...iteration, polygon: [] }] }, renderer)), "two numbers");
     equal(drawing(() => graze.draw.trace({}, renderer)), [], "a trace of nothing");
     throws(() => graze.draw.trace({ triangles: [[0, 1, 2]] }, renderer), "view.triangles[0]: expected numbers of vertices of the polytope, got 0", graze.InvalidValue);
-    throws(() => graze.draw.trace({ faceA: [[0, NaN, 0]] }, renderer), "view.face_a.y: expected", graze.InvalidValue);
+    throws(() => graze.draw.trace({ faceA: [[0, NaN, 0]] }, renderer), "view.face_a[1]: expected a finite number, got nan", graze.InvalidValue);
     throws(() => graze.draw.trace({ cuts: [{ to: [0, 0, 0], left: [] }] }, renderer), "cuts[0].from: expected numbers, got undefined", graze.InvalidValue);
 
     // Answers, of space and of the plane: from vectors of three numbers or of two.
