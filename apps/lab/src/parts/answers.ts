@@ -39,7 +39,7 @@ export function onto(d: Drawing, { size = 12, center, look = {}, points, contact
   const there = (at: Vec): Vec => (by ? at.map((x, i) => x + (by[i] ?? 0)) : at);
   let number = 0;
   return {
-    size, center,
+    size, center: center && [...center, 0].slice(0, 3),
     point(at, _, meaning) {
       const i = number++;
       drawn(meaning, (own) => d.point(there(at), own, points?.(i) ?? look), meaning === "contact" && contact ? contact(i) : meanings[meaning]);
