@@ -22,7 +22,8 @@ function ruler(d: Drawing, axis: Axis, state: State): void {
   const base = add(center, scale(side, 1.9));
   const at = (t: number, beside = 0): Vec => add(add(base, scale(u, t - dot(base, u))), scale(side, beside));
   d.arrow(at(Math.min(...ends) - 0.4), at(Math.max(...ends) + 0.4), "axis", { label: axis.name, key: axis.name });
-  drawAxis(d, axis, { center: add(base, scale(side, 0.15)), size: 3 });
+  // Side by side as seen from the front, A nearest to the boxes.
+  drawAxis(d, axis, { by: (p, meaning) => at(dot(p, u), meaning === "a" ? 0.1 : meaning === "b" ? 0.2 : 0.15) });
   const [from, to] = [Number(axis.b[0]), Number(axis.a[1])];
   if (axis.overlap >= 0) return;
   // A plane across the axis, through the gap.

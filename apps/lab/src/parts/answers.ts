@@ -24,8 +24,8 @@ export interface Marks {
   contact?: (number: number) => Meaning | null;
   /** The words beside a normal. */
   label?: string;
-  /** Everything is drawn that far away. */
-  by?: Vec;
+  /** Everything is drawn that far away, or where this says. */
+  by?: Vec | ((at: Vec, meaning: graze.DrawMeaning) => Vec);
   /** Other colours than usual; null for what is not drawn. */
   as?: Partial<Record<graze.DrawMeaning, Meaning | null>>;
 }
@@ -36,17 +36,18 @@ export function onto(d: Drawing, { size = 12, center, look = {}, points, contact
   const drawn = (meaning: graze.DrawMeaning, draw: (meaning: Meaning) => void, own = meanings[meaning]): void => {
     if (own) draw(own);
   };
-  const there = (at: Vec): Vec => (by ? at.map((x, i) => x + (by[i] ?? 0)) : at);
+  const there = (at: Vec, meaning: graze.DrawMeaning): Vec =>
+    typeof by === "function" ? by(at, meaning) : by ? at.map((x, i) => x + (by[i] ?? 0)) : at;
   let number = 0;
   return {
     size, center: center && [...center, 0].slice(0, 3),
     point(at, _, meaning) {
       const i = number++;
-      drawn(meaning, (own) => d.point(there(at), own, points?.(i) ?? look), meaning === "contact" && contact ? contact(i) : meanings[meaning]);
+      drawn(meaning, (own) => d.point(there(at, meaning), own, points?.(i) ?? look), meaning === "contact" && contact ? contact(i) : meanings[meaning]);
     },
-    line: (from, to, _, meaning) => drawn(meaning, (own) => d.line(there(from), there(to), own, meaning === "ghost" ? { ...look, wide: false, ghost: true } : look)),
-    arrow: (from, direction, _, meaning) => drawn(meaning, (own) => d.arrow(there(from), add(there(from), scale(direction, size / 12)), own, meaning === "normal" ? { ...look, label } : look)),
-    text: (at, words, _, meaning) => drawn(meaning, (own) => d.text(there(at), words, own)),
+    line: (from, to, _, meaning) => drawn(meaning, (own) => d.line(there(from, meaning), there(to, meaning), own, meaning === "ghost" ? { ...look, wide: false, ghost: true } : look)),
+    arrow: (from, direction, _, meaning) => drawn(meaning, (own) => d.arrow(there(from, meaning), add(there(from, meaning), scale(direction, size / 12)), own, meaning === "normal" ? { ...look, label } : look)),
+    text: (at, words, _, meaning) => drawn(meaning, (own) => d.text(there(at, meaning), words, own)),
   };
 }
 
