@@ -153,8 +153,8 @@ class GRAZE_API Simulation {
   /// Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and
   /// removed in the same order: the steps after it have the same bits. Throws `InvalidValue` where there are other
   /// bodies or joints now: of another handle, kind of shape, size or mass, joined otherwise. Costs an update of the
-  /// world. Contacts are found anew, so that the events of the next step may begin a contact that had begun before where
-  /// bodies are apart by less than their margin.
+  /// world. Contacts are found anew, so that the events of the next step may begin a contact that had begun before
+  /// where bodies are apart by less than their margin.
   void restore(const State<T, Space>& state);
 
  private:

@@ -1,4 +1,4 @@
-// A convex shape of the plane whose support function is JavaScript's: `user` is the number by which JavaScript knows it.
+// A convex shape of the plane whose support function is JavaScript's: `user` is its number in JavaScript.
 #include <cstdint>
 
 #include "graze/graze.h"

@@ -1,5 +1,5 @@
-// Fewer points of contact of a pair in the plane: of all its manifolds together, so that a solver has a bounded number to
-// push at.
+// Fewer points of contact of a pair in the plane: of all its manifolds together, so that a solver has a bounded
+// number of them.
 //
 // Guarantee: that of `graze/world/reduce.hpp`.
 #pragma once

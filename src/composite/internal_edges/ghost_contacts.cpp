@@ -269,8 +269,8 @@ Vec3<T> leaning_least(const LeafInContext<T>& self, const Vec3<T>& outward) {
 }
 
 /// The correction of a solid's normal that leaves the Voronoi region of its feature where no neighbour has one: that of
-/// a face of its own which leans least from the way to the middle of the other shape, or from the normal, and above which
-/// nothing rises. Without one the contact is a neighbour's.
+/// a face of its own which leans least from the way to the middle of the other shape, or from the normal, and above
+/// which nothing rises. Without one the contact is a neighbour's.
 template <class T>
 Correction<T> own_face(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& point,
                        const Vec3<T>& outward) {
