@@ -1,11 +1,10 @@
-// Continuous collision: a body that moved in a step by more than half of what its centre of mass is deep in it is asked
-// what it met on the way.
+// Continuous collision: casts of the bodies that moved in a step by more than half of the depth of their centre of mass.
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
-// the contact. Both of two that move are asked by `World::find_impacts`, turning included, so that rods do not pass
-// posts nor bullets each other. Bodies that hard joints hold together are held back together, at the first contact that
-// any of them makes: alone it would be torn off the others, which gives them energy when they pull it back. Nor is a
-// body that lies on something pushed into it by what strikes it: the two are held back together.
+// the contact. `World::find_impacts` casts both of two that move, turning included, so that rods do not pass posts nor
+// bullets each other. Bodies that hard joints hold together are held back together, at the first contact that any of
+// them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that lies on
+// something is held back together with what strikes it, which would push it into that.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +17,7 @@ namespace graze {
 
 namespace {
 
-/// The part of what the centre of mass is deep in a body that it may move in a step before it is asked.
+/// The part of the depth of its centre of mass that a body may move in a step without a cast.
 template <class T>
 constexpr T unasked_motion = T(0.5);
 
@@ -38,7 +37,7 @@ bool met(const ContactArrays<T, Space>& contacts, std::uint32_t a, std::uint32_t
   return at != contacts.pairs.end() && at->a == a && at->b == b && at->manifold_count != 0;
 }
 
-/// What a body meets first.
+/// The first contact of a body in a step.
 template <class T, class Space>
 struct Meeting {
   T time{};
@@ -46,7 +45,7 @@ struct Meeting {
   typename Space::Vec point{}, normal{};
 };
 
-/// Which bodies contacts or joints pushed in this step.
+/// A flag for each body that contacts or joints pushed in this step.
 template <class T, class Space>
 std::vector<std::uint8_t> pushed_bodies(const SimulationParts<T, Space>& parts) {
   std::vector<std::uint8_t> pushed(parts.bodies.size(), 0);
@@ -79,7 +78,7 @@ template <class T, class Vec>
 Vec keeping_energy(const Vec& v, const Vec& g, const Vec& way) {
   // Half of g² x² - v · g x - g · way = 0 for v - x g, of its roots the one nearer to nothing.
   const T a = dot(g, g) / T(2), b = dot(v, g), c = -dot(g, way);
-  if (c == T(0)) return v;
+  if (c == T(0) || !(a > T(0))) return v;
   const T square = b * b - T(4) * a * c;
   if (!(square > T(0))) return v - g * (b / (T(2) * a));
   const T root = std::sqrt(square);
@@ -139,20 +138,44 @@ void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typen
   set_angular_velocity(body.free, end.angular);
 }
 
+/// The bodies that may have passed through something in this step.
+template <class T, class Space>
+std::vector<std::uint32_t> fast_bodies(const SimulationParts<T, Space>& parts, T dt) {
+  const auto alive = parts.world.bodies().alive();
+  std::vector<std::uint32_t> fast;
+  for (std::uint32_t i = 0; i < parts.bodies.size(); ++i) {
+    const SimulatedBody<T, Space>& body = parts.bodies[i];
+    if (alive[i] == 0 || !body.movable || body.asleep) continue;
+    const MotionIn<Space> m = parts.motion(i);
+    const T way = (length(m.linear) + length(m.angular) * body.radius) * dt;
+    if (way > unasked_motion<T> * body.depth) fast.push_back(i);
+  }
+  return fast;
+}
+
+/// The time at which an impact holds its bodies back, `dt` for one that does not. Rows of contacts let bodies approach
+/// little: a body that slides fast is not held back by the one it slides on. A body that sinks beside the points of
+/// contact goes on by a part of what it may, or it would hang there.
+template <class T, class Space>
+T holding_time(const SimulationParts<T, Space>& parts, const Impact<T, Space>& impact,
+               std::span<const typename Space::Velocity> mean, T dt) {
+  const std::uint32_t a = impact.a.index, b = impact.b.index;
+  if (!met<T, Space>(parts.world.contacts(), a, b)) return impact.hit.t;
+  const auto shapes = parts.world.bodies().shapes();
+  const MovingPair<T, Space> pair{shapes[a], shapes[b], parts.found_at[a], parts.found_at[b], mean[a], mean[b]};
+  const T most = unasked_motion<T> * least(parts.bodies[a].depth, parts.bodies[b].depth);
+  const T way = dot(mean[a].linear - mean[b].linear, impact.hit.normal) * dt;
+  const std::optional<T> sunk = time_to_sink(pair, most, dt);
+  return greatest(impact.hit.t, sunk ? *sunk : way > most ? dt * (most / way) : dt);
+}
+
 }  // namespace
 
 template <class T, class Space>
 void SimulationParts<T, Space>::hold_back(T dt) {
-  const auto alive = world.bodies().alive();
-  std::vector<std::uint32_t> fast;
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    const SimulatedBody<T, Space>& body = bodies[i];
-    if (alive[i] == 0 || !body.movable || body.asleep) continue;
-    const MotionIn<Space> m = motion(i);
-    const T way = (length(m.linear) + length(m.angular) * body.radius) * dt;
-    if (way > unasked_motion<T> * body.depth) fast.push_back(i);
-  }
+  const std::vector<std::uint32_t> fast = fast_bodies(*this, dt);
   if (fast.empty()) return;
+  const auto alive = world.bodies().alive();
   std::vector<typename Space::Velocity> mean(bodies.size());
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (alive[i] == 0 || !bodies[i].moves || bodies[i].asleep) continue;
@@ -163,49 +186,36 @@ void SimulationParts<T, Space>::hold_back(T dt) {
   }
   for (const std::uint32_t i : fast) world.set_fast(world.bodies().id(i), true);
   world.find_impacts(dt);
-  // Of a body's material point at a place and a time of the step.
-  const auto speed_of = [&](std::uint32_t i, const typename Space::Vec& point, T time) {
-    return mean[i].linear + cross(mean[i].angular, point - (found_at[i].translation + mean[i].linear * time));
-  };
+  for (const std::uint32_t i : fast) world.set_fast(world.bodies().id(i), false);
   std::vector<Meeting<T, Space>> first(bodies.size(), Meeting<T, Space>{dt});
-  bool any = false;
   for (const Impact<T, Space>& impact : world.impacts()) {
-    const std::uint32_t a = impact.a.index, b = impact.b.index;
     if (impact.trigger) continue;
-    // Rows of contacts let bodies approach little; a body that slides fast is not held back by what it slides on. One
-    // that sinks beside the points that touch goes on by a part of what it may, or it would hang there.
-    T time = impact.hit.t;
-    if (met<T, Space>(world.contacts(), a, b)) {
-      const MovingPair<T, Space> pair{
-          world.bodies().shapes()[a], world.bodies().shapes()[b], found_at[a], found_at[b], mean[a], mean[b]};
-      const T most = unasked_motion<T> * least(bodies[a].depth, bodies[b].depth);
-      const T way = dot(mean[a].linear - mean[b].linear, impact.hit.normal) * dt;
-      const std::optional<T> sunk = time_to_sink(pair, most, dt);
-      time = greatest(time, sunk ? *sunk : way > most ? dt * (most / way) : dt);
-    }
+    const std::uint32_t a = impact.a.index, b = impact.b.index;
+    const T time = holding_time<T, Space>(*this, impact, mean, dt);
     for (const std::uint32_t i : {a, b})
       if (bodies[i].movable && time < first[i].time)
         first[i] = {time, i == a ? b : a, impact.hit.point, impact.hit.normal};
   }
+  if (std::none_of(fast.begin(), fast.end(), [&](std::uint32_t i) { return first[i].time < dt; })) return;
+  const std::vector<std::uint8_t> pushed = pushed_bodies(*this);
   std::vector<T> ends(bodies.size(), dt);
   for (const std::uint32_t i : fast) {
-    world.set_fast(world.bodies().id(i), false);
+    if (!(first[i].time < dt)) continue;
     ends[i] = first[i].time;
-    any = any || ends[i] < dt;
-  }
-  if (!any) return;
-  const std::vector<std::uint8_t> pushed = pushed_bodies(*this);
-  for (const std::uint32_t i : fast) {
-    const std::uint32_t other = first[i].other;
-    if (ends[i] < dt && pushed[i] != 0 && bodies[other].movable) ends[other] = least(ends[other], first[i].time);
+    const std::uint32_t striking = first[i].other;
+    if (pushed[i] != 0 && bodies[striking].movable) ends[striking] = first[striking].time;
   }
   const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends);
+  // The velocity of a body's material point at a place and a time of the step.
+  const auto speed_of = [&](std::uint32_t i, const typename Space::Vec& point, T time) {
+    return mean[i].linear + cross(mean[i].angular, point - (found_at[i].translation + mean[i].linear * time));
+  };
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!(ends[i] < dt)) continue;
     ++last.stopped;
     typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
     typename Space::Vec carried_by{};
-    if (joined[i] == 0) {  // What it met may go on: it stays in touch, along the normal.
+    if (joined[i] == 0) {  // The body it met may go on: it stays in touch, along the normal.
       const Meeting<T, Space>& meeting = first[i];
       const typename Space::Vec carried = speed_of(meeting.other, meeting.point, meeting.time);
       const T rest = greatest(T(0), ends[meeting.other] - meeting.time);
