@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 10272091050559756568u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 14472459264590208297u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 15853020954127269752u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 17321101557237036543u;
 
 }  // namespace graze::testing
 
