@@ -47,7 +47,8 @@ void play(unsigned seed) {
   const double first = energy_of(s.report()), rise = 0.15 * weight;
   double lowest = first;
   bool asleep = false;
-  for (int i = 0; i < 30 * 60 && !asleep; ++i) {
+  // A minute, for what leans on something else may creep and tip late.
+  for (int i = 0; i < 60 * 60 && !asleep; ++i) {
     s.step(T(1) / T(60));
     const StepReport<T> report = s.report();
     const double energy = energy_of(report);
