@@ -44,9 +44,9 @@ void play_in_plane(unsigned seed) {
     ASSERT_LE(energy, first * (1 + 1e-4)) << seed << ", step " << i;
     ASSERT_LE(energy, lowest + rise) << seed << ", step " << i;
     lowest = std::min(lowest, energy);
-    // Deepest, 0.54 in 3,000 scenes, are bodies of which continuous collision holds the front one back while the other
+    // Deepest, 0.47 in 3,000 scenes, are bodies of which continuous collision holds the front one back while the other
     // goes on.
-    ASSERT_LT(report.deepest, T(0.6)) << seed << ", step " << i;
+    ASSERT_LT(report.deepest, T(0.5)) << seed << ", step " << i;
     for (const BodyId body : scene.bodies()) {
       const Vec2<T> center = s.motion(body).center;
       ASSERT_LT(std::abs(center.x), scene.half) << seed << ", body " << body.index << ", step " << i;
