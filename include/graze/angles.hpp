@@ -26,10 +26,10 @@ namespace detail {
 /// functions").
 inline constexpr double quarter_high = 0x1.921fb544p+0, quarter_middle = 0x1.0b4611a6p-34,
                         quarter_low = 0x1.3198a2e037073p-69;
-/// Up to here the whole numbers are small.
+/// The largest angle for which the whole numbers are small.
 inline constexpr double most_reduced = 1024;
 
-/// Of an angle of at most an eighth turn, by the series, whose first terms left out are below 1e-18.
+/// Cosine and sine of an angle of at most an eighth turn, by the series, whose first terms left out are below 1e-18.
 inline CosineSine cosine_sine_of_small(double x) {
   const double square = x * x;
   double cosine = 1, sine = 1;
@@ -40,7 +40,7 @@ inline CosineSine cosine_sine_of_small(double x) {
   return {cosine, x * sine};
 }
 
-/// Of twice the angle, at unit length.
+/// Cosine and sine of twice the angle, at unit length.
 inline CosineSine doubled(const CosineSine& of) {
   const double x = of.cosine * of.cosine - of.sine * of.sine, y = of.sine * of.cosine + of.cosine * of.sine,
                length = std::sqrt(x * x + y * y);

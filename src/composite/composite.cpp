@@ -28,7 +28,7 @@ bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
   return dot(low - high, normal) > best.distance + slack;
 }
 
-/// What lies inside a solid mesh is deeper than its surface is far.
+/// The answer `best`, or that of a body inside a solid mesh, which is deeper than the mesh's surface is far.
 template <class T>
 Distance<T> or_enclosed(const Distance<T>& best, const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                         const Pose<T>& pose_b) {

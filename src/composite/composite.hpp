@@ -28,8 +28,8 @@ void any_near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
 template <class T>
 bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
-/// What stands still beside either shape and may continue its surface: contacts that only the seams make are settled as
-/// those between the pieces of one shape are.
+/// The shapes that stand still beside either one and may continue its surface: contacts that only the seams make are
+/// settled as those between the pieces of one shape are.
 template <class T, class PlacedRef = graze::PlacedRef<T>>
 struct Surroundings {
   std::span<const PlacedRef> of_a = {}, of_b = {};

@@ -38,7 +38,7 @@ std::optional<DecidingPair<T>> deciding_pair(const Shape<T>& a, const Pose<T>& p
   return pair;
 }
 
-/// How far a shape goes along a direction of the world.
+/// The reach of a shape along a direction of the world.
 template <class T>
 double reach_along(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direction) {
   double reach = -std::numeric_limits<double>::infinity();
@@ -55,7 +55,7 @@ double reach_along(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& di
   return reach;
 }
 
-/// What lies inside a solid mesh, if that is what an answer with this distance and normal is of: the axis is the way
+/// Explains an answer with this distance and normal if it is that of a body inside a solid mesh: the axis is the way
 /// out, on which the mesh ends where the body's last point has to go. Returns whether it is.
 template <class T>
 bool explain_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T distance,

@@ -43,7 +43,7 @@ Pose<T> half_space_below(const Vec3<T>& normal, const Vec3<T>& point) {
   return {point, down ? up_to_n * flip : up_to_n};
 }
 
-/// How far the bounds of a piece may be from a point that lies on it.
+/// The largest distance of a piece's bounds from a point that lies on it.
 template <class T>
 T reach_of_pieces(const Shape<T>& whole) {
   if (const auto* mesh = whole.template as<Mesh<T>>()) return reach_on(mesh->data(), T(0));
@@ -82,7 +82,7 @@ std::optional<std::uint32_t> piece_below(const Shape<T>& whole, const Pose<T>& p
   return found;
 }
 
-/// What places may be off by where a body stands.
+/// The rounding error of a place at which a body stands.
 template <class T>
 T standing_noise(const Part<T>& body, const Vec3<T>& place) {
   return place_noise(place) + coordinate_noise(max_abs(bounds(body.shape, Pose<T>{}).extent()));
@@ -142,7 +142,7 @@ bool FlatFaces<T>::meets_plane(const Face& face, const Part<T>& body, Manifold<T
 
 template <class T>
 bool FlatFaces<T>::rests_on(const Face& face, const Part<T>& body, Manifold<T>& manifold) const {
-  // What has been let through is pushed to the other side.
+  // A body that has been let through is pushed to the other side.
   if (dot(bounds(body.shape, body.pose).center() - face.point, face.normal) <= T(0)) return false;
   if (!meets_plane(face, body, manifold)) return false;
   const auto side = surface_is_a_ ? &ContactPoint<T>::a : &ContactPoint<T>::b;

@@ -1,6 +1,6 @@
 // One manifold for each flat face that a surface's pieces make together.
 //
-// What stands on a floor of pieces meets each of them by itself: their corners and edges cut its own face, and under a
+// A body on a floor of pieces meets each of them by itself: their corners and edges cut its own face, and under a
 // lean of milliradians these points come and go. Where each of the points that the body has on the half-space below the
 // pieces' common plane stands on a piece that lies in this plane, cutting says nothing: the body stands on the plane,
 // and its points and their feature numbers are those on the half-space.
@@ -20,16 +20,16 @@ namespace graze {
 template <class T>
 class FlatFaces {
  public:
-  /// Of A and B, whose pieces are asked about with this margin, the surface is a mesh or height field, or else a
-  /// compound, which the other is not; without that there are no faces. Of two meshes the larger is the surface, if the
-  /// other bounds a body.
+  /// The faces of a pair whose pieces are met with this margin. The surface is the one of A and B that is a mesh or
+  /// height field, or else a compound, while the other is not; else there are no faces. The larger of two meshes is the
+  /// surface, if the other bounds a body.
   FlatFaces(const Part<T>& a, const Part<T>& b, T margin);
 
   /// Whether a pair of pieces needs no contact of its own, since the body stands on a face that the triangle is inside
   /// of: nothing but the mesh is around it (`alone`), and it knows that it is level with all that is.
   bool passes_over(const Part<T>& a, const Part<T>& b, bool alone) const;
 
-  /// What becomes of the contact of a piece: itself; the whole face's, the first time; or nothing.
+  /// The fate of a piece's contact: it stays; it becomes the whole face's, the first time; or it is left out.
   enum class Standing { on_piece, on_face, on_known_face };
   /// Puts the face's contact in place of one that stands on the flat of a piece, the first time.
   Standing stand(const Part<T>& a, const Part<T>& b, Manifold<T>& manifold);
@@ -51,7 +51,7 @@ class FlatFaces {
   bool rests_on(const Face& face, const Part<T>& body, Manifold<T>& manifold) const;
   /// The contact of a body with the half-space below a face; false where a mesh has more than one, or none.
   bool meets_plane(const Face& face, const Part<T>& body, Manifold<T>& manifold) const;
-  /// Of a pair of pieces that of the surface, and the body that may stand on it: a piece, or a whole mesh.
+  /// The surface's piece of a pair, and the body that may stand on it: a piece, or a whole mesh.
   const Part<T>& piece_of(const Part<T>& a, const Part<T>& b) const { return surface_is_a_ ? a : b; }
   const Part<T>& body_of(const Part<T>& a, const Part<T>& b) const { return skin_ ? *skin_ : surface_is_a_ ? b : a; }
 

@@ -7,8 +7,8 @@ namespace graze {
 
 namespace {
 
-/// What the corners of two bodies may be off by when they are seen from one of them; twice what the pairs' own routines
-/// take for touching, which must not be ruled out before.
+/// The rounding error of the corners of two bodies seen from one of them, doubled: the pairs' own routines take so
+/// much for touching, which must not be ruled out before.
 template <class T>
 T corner_rounding(T extent_a, T extent_b, const Vec3<T>& translation) {
   return T(64) * std::numeric_limits<T>::epsilon() * (extent_a + extent_b + max_abs(translation));

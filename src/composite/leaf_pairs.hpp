@@ -32,8 +32,8 @@ struct Part {
   }
 };
 
-/// Which pairs are near enough: those up to `distance` apart, which may shrink on the way. With a `direction`, a unit
-/// vector from A to B in the world or zero, none that is further apart than that along it.
+/// The criterion of pairs that are near enough: up to `distance` apart, which may shrink on the way, and with a
+/// `direction`, a unit vector from A to B in the world or zero, no further apart than that along it.
 template <class T>
 struct Nearness {
   const T& distance;

@@ -51,7 +51,7 @@ bool visit_near_triangle(const Surface& surface, std::uint32_t number, const Pos
   return go_on(f, triangle_shape(corners), pose, number);
 }
 
-/// The same where `question` may stop the bounds.
+/// Visits a triangle where `question` may rule its bounds out.
 template <class T, class Surface, class Question, class Limit, class F>
 bool visit_triangle(const Surface& surface, std::uint32_t number, const Pose<T>& pose, const Question& question,
                     const Limit& limit, F& f) {
@@ -83,7 +83,7 @@ bool visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Question& qu
   return go_on(f, shape, pose, 0u);
 }
 
-/// The same for what comes within `limit()` of a region.
+/// Visits the pieces that come within `limit()` of a region.
 template <class T, class Limit, class F>
 bool visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Aabb<T>& region, const Limit& limit, F&& f) {
   return visit_pieces(shape, pose, BoxQuestion<T>{region}, limit, f);

@@ -49,7 +49,7 @@ void keep_different(std::vector<ContactPoint<T>>& points) {
   points.resize(kept);
 }
 
-/// For each manifold the place of the first one of its normal.
+/// The place, for each manifold, of the first one with its normal.
 template <class T>
 std::vector<std::size_t> leaders(std::span<const Manifold<T>> manifolds) {
   // Sorted along a direction that no model is built along, so that normals near each other there are few.
@@ -78,7 +78,7 @@ std::vector<std::size_t> leaders(std::span<const Manifold<T>> manifolds) {
 
 }  // namespace detail
 
-/// What is not proven of a member is not proven of the manifold that it joins.
+/// Passes on that a member is not proven to the manifold that it joins.
 template <class T>
 void join_status(Manifold<T>& joined, const Manifold<T>& member) {
   if (member.status != Status::bounded) return;

@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// How far from a point the bounds of a triangle may be that it lies on. `noise`: what its coordinates may be off by.
+/// The largest distance of a triangle's bounds from a point that lies on it. `noise`: the error of its coordinates.
 template <class T>
 T reach_on(const MeshData<T>& mesh, T noise) {
   return on_piece<T> * T(1.01) * (mesh.longest + noise) + noise;  // one hundredth for what the reach itself adds
@@ -25,7 +25,7 @@ class MeshPatch {
     mesh_ = &data;
     const T reach = distance + reach_on(data, T(0));
     covered_ = inflated(question.region, reach);
-    // What meets the covered box is no further from the region than its corners.
+    // A triangle that meets the covered box is no further from the region than the corners of the box.
     const T diagonal = T(1.75) * reach;
     count_ = 0;
     return visit(

@@ -28,7 +28,7 @@ struct NumberedPiece {
 /// The motion with B's part and A's exchanged.
 inline PairMotion exchanged(const PairMotion& m) { return {m.b, m.a, -m.offset, -m.velocity}; }
 
-/// What `b` sweeps over in the interval, seen from `a`'s own frame.
+/// The sweep of `b` in the interval, seen from the frame of `a`.
 template <class T>
 Sweep<T> sweep_of(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, const Interval& interval,
                   double margin) {

@@ -37,7 +37,7 @@ struct Inside {
     return inside(support(body.shape, Vec3<T>{T(1), T(0), T(0)}));
   }
 
-  /// What is nearest of the two surfaces; the normal leads from the body to the mesh.
+  /// The nearest points of the two surfaces; the normal leads from the body to the mesh.
   Enclosed<T> surface(const Pose<T>& pose) const {
     Enclosed<T> best;
     best.distance.distance = std::numeric_limits<T>::infinity();

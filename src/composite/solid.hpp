@@ -1,4 +1,4 @@
-// What lies wholly inside a solid mesh: there the surfaces are apart, and the bodies overlap all the same.
+// Bodies wholly inside a solid mesh: there the surfaces are apart, and the bodies overlap all the same.
 //
 // Guarantee: the side is the one that `closest` tells. The depth is the length of a translation that was seen to lead
 // out, or that leads beyond the bounds of the mesh: never less than the true depth, but for rounding.
@@ -30,7 +30,7 @@ struct Enclosed {
 template <class T>
 bool any_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
-/// Of the children that lie wholly inside, without touching the surface, the one that is deepest.
+/// The deepest of the children that lie wholly inside, without touching the surface.
 template <class T>
 std::optional<Enclosed<T>> deepest_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                                             const Pose<T>& pose_b);

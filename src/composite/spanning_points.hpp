@@ -52,8 +52,8 @@ FlatPoints<T> hull_of(FlatPoints<T> points, T noise) {
 
 }  // namespace detail
 
-/// Of points that are all at one place, as of a ball on the seam of two triangles, keeps the deepest. Answers whether
-/// they were.
+/// Keeps the deepest of points that are all at one place, as those of a ball on the seam of two triangles. Returns
+/// whether they were.
 template <class T>
 bool join_at_one_place(Manifold<T>& manifold, T together) {
   ContactPoint<T> deepest = manifold.points[0];
@@ -81,7 +81,7 @@ void keep_spanning(Manifold<T>& manifold, T size) {
     flat.push_back({dot(d, u), dot(d, v), i});
     reach = greatest(reach, length(d));
   }
-  // How far a point may be from its true place; an area's error is that times the reach.
+  // The distance of a point from its true place, at most; an area's error is that times the reach.
   const T noise = tolerance<T> * reach + T(64) * std::numeric_limits<T>::epsilon() * max_abs(origin);
   const auto hull = detail::hull_of(flat, noise * reach);
   if (hull.size() < 2) return;

@@ -32,7 +32,7 @@ inline TrianglePoint<double> nearest_on_triangle(const std::array<Vec3d, 3>& t, 
   TrianglePoint<double> nearest = closest_point_on_triangle(t[0], t[1], t[2], p);
   const Vec3d& w = nearest.weight;
   if (!(w.x > 0 && w.y > 0 && w.z > 0)) return nearest;
-  // Of a sliver the place within the face is rounding: an edge may be nearer.
+  // The place within the face of a sliver is rounding: an edge may be nearer.
   double least_squared = length_squared(nearest.point - p);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t k = (i + 1) % 3;
@@ -48,7 +48,7 @@ inline TrianglePoint<double> nearest_on_triangle(const std::array<Vec3d, 3>& t, 
   return nearest;
 }
 
-/// What is nearest on a surface.
+/// The nearest point of a surface.
 struct SurfacePoint {
   std::uint32_t triangle = 0;
   TrianglePoint<double> place{};
@@ -61,8 +61,7 @@ std::array<Vec3d, 3> corners_in_double(const Surface& surface, std::uint32_t tri
   return {converted<double>(t[0]), converted<double>(t[1]), converted<double>(t[2])};
 }
 
-/// Of the surface's points no further than `limit` the one nearest to `p`, a point of its frame; else none, at
-/// infinity.
+/// The surface's nearest point to `p`, a point of its frame, if it is no further than `limit`; else one at infinity.
 template <class T, class Surface>
 SurfacePoint nearest_point(const Surface& surface, const Vec3d& p, double limit) {
   SurfacePoint best;

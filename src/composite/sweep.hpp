@@ -52,7 +52,7 @@ T entry(const Aabb<T>& still, const Sweep<T>& sweep) {
   return first <= last ? first : never;
 }
 
-/// For `visit_pieces`: the boxes that are reached by a time, the first reached first.
+/// The question of `visit_pieces` for the boxes that are reached by a time, the first reached first.
 template <class T>
 struct SweepQuestion {
   using Key = T;

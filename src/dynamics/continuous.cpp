@@ -115,7 +115,7 @@ std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, s
   return joined;
 }
 
-/// How a body that is held back came to where it was.
+/// The way by which a body that is held back came to where it was.
 template <class Space>
 struct HeldBody {
   bool joined, pushed;             ///< by a hard joint; by contacts or joints, in this step

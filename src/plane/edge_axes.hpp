@@ -34,7 +34,7 @@ struct EdgeAxes {
   bool regular = false;                    ///< whether every edge has a length that floats can hold
   float height = 0;                        ///< of the origin below the nearest edge
   std::uint32_t edges_a = 0, edges_b = 0;  ///< nearest edges of A and of B, as bits
-  /// For each edge of A a vertex of B that lies deepest below it, and the other way round; one of several that are
+  /// The vertex of B that lies deepest below each edge of A, and the other way round; one of several that are
   /// equally deep up to rounding.
   float deepest_b[most_edges], deepest_a[most_edges];
 };

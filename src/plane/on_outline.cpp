@@ -162,7 +162,7 @@ Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Near
 
 template <class T>
 std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
-  // Of a half-plane no point is furthest along a normal of the other.
+  // No point of a half-plane is furthest along a normal of the other.
   if (a.kind == CoreKind::half_plane || b.kind == CoreKind::half_plane) return {};
   Axis best;
   for_each_normal(a, [&](const Vec2d& n, std::uint32_t i, std::uint32_t edge, bool is_own) {

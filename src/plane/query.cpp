@@ -238,7 +238,7 @@ Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& p
 
 namespace {
 
-/// What is no further apart than `limit` once its distance is rounded to T is nearer than this.
+/// The bound below which a distance rounded to T is no larger than `limit`.
 template <class T>
 double just_above(T limit) {
   return double(std::nextafter(limit, std::numeric_limits<T>::infinity()));

@@ -20,7 +20,7 @@ bool leads_into_none(const Vec& motion, std::span<const Vec> normals) {
   return true;
 }
 
-/// Of the motions that lead into none of the planes the one that makes most of `motion`.
+/// The motion that makes most of `motion` among those that lead into none of the planes.
 template <class T, class Vec>
 class NearestMotion {
  public:

@@ -8,7 +8,8 @@
 
 namespace graze::plane {
 
-/// Of a pair's manifolds, as `contacts` appends them to an empty vector. Costs `count` times the number of points.
+/// Leaves at most `count` points of a pair's manifolds, which `contacts` has appended to an empty vector. Costs `count`
+/// times the number of points.
 template <class T>
 GRAZE_API void reduce(Manifolds<T>& manifolds, std::size_t count);
 

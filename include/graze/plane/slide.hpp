@@ -13,7 +13,7 @@
 
 namespace graze::plane {
 
-/// Where a slide ended.
+/// The end of a slide.
 template <class T>
 struct SlideResult {
   Pose2<T> pose{};                      ///< where the shape ends
@@ -21,13 +21,13 @@ struct SlideResult {
   std::vector<BodyCastHit<T>> touched;  ///< what was in the way, in the order in which it was met
 };
 
-/// What is left of a motion in front of lines: the nearest motion that leads into none of them; two that meet in a
+/// The rest of a motion in front of lines: the nearest motion that leads into none of them; two that meet in a
 /// corner leave nothing of a motion into it. `normals` are unit and point away from what is in the way.
 template <class T>
 GRAZE_API Vec2<T> along_lines(const Vec2<T>& motion, std::span<const Vec2<T>> normals);
 
 /// Moves a shape by `motion` through a world, without turning: until it touches, then along the outline, and so on.
-/// What it touches and does not press against does not hold it. Cost: `iterations` casts.
+/// Bodies that it touches and does not press against do not hold it. Cost: `iterations` casts.
 template <class T>
 GRAZE_API SlideResult<T> slide(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& motion,
                                const World<T>& world, const QueryFilter& filter = {}, const SlideOptions& options = {});

@@ -10,9 +10,9 @@
 
 namespace graze::plane {
 
-/// What `shape`, standing at `pose`, sweeps while it moves by `motion` (in the world) without turning. The result
-/// stands at the same `pose`. Throws `InvalidValue` for a shape that is not convex or not bounded, and a motion that is
-/// not finite.
+/// The region that `shape`, standing at `pose`, sweeps while it moves by `motion` (in the world) without turning. The
+/// result stands at the same `pose`. Throws `InvalidValue` for a shape that is not convex or not bounded, and a motion
+/// that is not finite.
 template <class T>
 GRAZE_API Shape<T> swept(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& motion);
 

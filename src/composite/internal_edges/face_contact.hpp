@@ -1,4 +1,4 @@
-// What a contact stands on, before anybody looks for its neighbours.
+// The feature that a contact stands on, before any search for its neighbours.
 //
 // Guarantee: a contact that stands clear is one that `settle_normal` (ghost_contacts.hpp) leaves as it is, up to
 // rounding.
@@ -16,8 +16,8 @@ namespace graze {
 template <class T>
 inline constexpr T standing_lean = T(0.035);
 
-/// Where contacts stand on one of their sides: the middle of the deepest points, which of an edge's contact is inside
-/// the edge and not at an end of it.
+/// The place of contacts on one of their sides: the middle of the deepest points, which lies inside the edge for an
+/// edge's contact and not at an end of it.
 template <class T, class Points>
 Vec3<T> standing_point(const Points& points, Vec3<T> ContactPoint<T>::*side) {
   const ContactPoint<T>& deepest =

@@ -109,7 +109,7 @@ bool reaches_to(const LeafInContext<T>& self, const Vec3<T>& place) {
   return distance_to(self, place) <= noise;
 }
 
-/// What the coordinates of a place on a piece may be off by, wherever the origin is.
+/// The rounding error of the coordinates of a place on a piece, wherever the origin is.
 template <class T>
 T own_noise(const LeafInContext<T>& self, const Vec3<T>& place) {
   return place_noise(place) + coordinate_noise(max_abs(bounds(self.piece, self.pose).extent()));
@@ -147,7 +147,7 @@ bool leans_over(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T
   return dot(further, outward) > region_slack<T> * length(further) + own_noise(self, point) / T(32);
 }
 
-/// What a contact has instead of a normal that is none of the surface's.
+/// The replacement of a contact's normal that is none of the surface's.
 template <class T>
 struct Correction {
   Vec3<T> normal;                              ///< outward
@@ -235,7 +235,7 @@ bool is_least_way(const LeafInContext<T>& self, const LeafInContext<T>& other, c
   return dot(from, contact.outward) >= contact.distance - noise;
 }
 
-/// Where a contact stands on the edge or corner of a solid that its normal is one of. Its points may lie a little
+/// The place of a contact on the edge or corner of a solid that its normal belongs to. Its points may lie a little
 /// beside that, on a face; the nearest points are on it, unless another way out is as good and they are of that: then
 /// they lie lower.
 template <class T>
@@ -245,7 +245,7 @@ Vec3<T> place_on_solid(const LeafInContext<T>& self, const LeafInContext<T>& oth
   return dot(of_points - nearest, contact.outward) > own_noise(self, nearest) ? of_points : nearest;
 }
 
-/// How far apart two pieces are along a normal that leads out of one; negative is a depth.
+/// The distance of two pieces along a normal that leads out of one; negative is a depth.
 template <class T>
 T apart_along(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& outward) {
   return dot(furthest(other.piece, other.pose, -outward) - furthest(self.piece, self.pose, outward), outward);
@@ -282,7 +282,7 @@ Correction<T> own_face(const LeafInContext<T>& self, const LeafInContext<T>& oth
   return {outward, {}, true};
 }
 
-/// What is in place of a contact's normal if this is none of the surface's.
+/// The correction of a contact whose normal is none of the surface's; nothing for another.
 template <class T>
 std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafInContext<T>& other,
                                        const SeenContact<T>& contact, T margin) {

@@ -29,7 +29,7 @@
 
 namespace graze {
 
-/// What becomes of the manifold of two pieces.
+/// The manifold of two pieces after its normal is settled.
 template <class T>
 struct Settled {
   Manifold<T> manifold;           ///< of the surface; it may have no points

@@ -56,7 +56,7 @@ template <class T>
 Vec3<T> plane_normal(const Pose<T>& pose) {
   return rotate(pose.rotation, Vec3<T>{T(0), T(1), T(0)});
 }
-/// How far a place lies above the plane of a half-space; negative below.
+/// The height of a place above the plane of a half-space; negative below.
 template <class T>
 T height_above(const Shape<T>& ground, const Pose<T>& pose, const Vec3<T>& place) {
   return dot(plane_normal(pose), place - pose.translation) - ground.rounding();
@@ -91,7 +91,7 @@ bool leads_along(const Vec3<T>& a, const Vec3<T>& b) {
 template <class T>
 inline constexpr T on_piece = T(1e-4);
 
-/// What coordinates of this size may have lost: a pose seen from another takes some thirty roundings.
+/// The rounding error of coordinates of this size: a pose seen from another takes some thirty roundings.
 template <class T>
 T coordinate_noise(T size) {
   return T(64) * std::numeric_limits<T>::epsilon() * size;

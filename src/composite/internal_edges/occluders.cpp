@@ -10,7 +10,7 @@ namespace graze {
 
 namespace {
 
-/// How deep a shape reaches below the plane of a surface.
+/// The depth to which a shape reaches below the plane of a surface.
 template <class T>
 T depth_below(const OnSurface<T>& surface, const LeafInContext<T>& other) {
   return dot(surface.point - furthest(other.piece, other.pose, -surface.normal), surface.normal);
@@ -43,7 +43,7 @@ bool goes_on_above(const Sight<T>& sight, const Vec3<T>& normal, T above, T slac
   return distance_to(sight.self, place) < rise / T(2);
 }
 
-/// Where the sight crosses a triangle that covers its beginning.
+/// The crossing of the sight with a triangle that covers its beginning.
 template <class T>
 std::optional<OnSurface<T>> crossing(const Triangle<T>& triangle, const Pose<T>& pose, bool front_only,
                                      const Sight<T>& sight) {
@@ -73,7 +73,7 @@ std::optional<OnSurface<T>> crossing(const Triangle<T>& triangle, const Pose<T>&
   return OnSurface<T>{sight.from + at, normal};
 }
 
-/// Where the sight, seen from its end, enters a solid that it goes through or that it begins on.
+/// The point at which the sight, seen from its end, enters a solid that it goes through or that it begins on.
 template <class T>
 std::optional<OnSurface<T>> entry(const Shape<T>& solid, const Pose<T>& pose, const Sight<T>& sight) {
   // A little further in, so that what begins on the solid up to rounding meets it.
@@ -82,14 +82,14 @@ std::optional<OnSurface<T>> entry(const Shape<T>& solid, const Pose<T>& pose, co
   const auto local = [&](const Vec3<T>& place) { return rotate(back, converted<double>(place - pose.translation)); };
   const Vec3d eye = local(sight.to), way = local(sight.from + inward) - eye;
   if (way == Vec3d{}) return std::nullopt;
-  // Of a flat solid the sight begins on the very plane.
+  // The sight begins on the very plane of a flat solid.
   const double end = length(way) + static_cast<double>(sight.slack);
   const rays::MaybeHit hit = convex_raycast(solid, {eye, normalized(way), 0, end, 0}, BackFaces::hit);
   if (!hit || !(hit->t > 0)) return std::nullopt;  // not met, or its middle is inside too
   return OnSurface<T>{transform(pose, converted<T>(hit->point)), rotate(pose.rotation, converted<T>(hit->normal))};
 }
 
-/// The same where the solid covers the beginning of the sight.
+/// The entry into a solid that covers the beginning of the sight.
 template <class T>
 std::optional<OnSurface<T>> covering_entry(const Shape<T>& solid, const Pose<T>& pose, const Sight<T>& sight) {
   // The plane through a place further along lies no lower.
@@ -102,12 +102,13 @@ std::optional<OnSurface<T>> covering_entry(const Shape<T>& solid, const Pose<T>&
   if (above > sight.slack || !piece_rises_above(solid, pose, seen->point, sight.outward) ||
       goes_on_above(sight, seen->normal, above, sight.slack))
     return std::nullopt;
-  // So near it is the same place, but on this surface: below that by what counts as on it, its own solid would rise.
+  // An entry so near is the same place, but on this surface: below that by what counts as on it, its own solid would
+  // rise.
   if (length(seen->point - sight.from) <= T(4) * sight.slack) seen->point = sight.from - seen->normal * above;
   return seen;
 }
 
-/// Where the sight comes up from a half-space that covers its beginning.
+/// The point at which the sight comes up from a half-space that covers its beginning.
 template <class T>
 std::optional<OnSurface<T>> emergence(const Shape<T>& ground, const Pose<T>& pose, const Sight<T>& sight) {
   const Vec3<T> normal = plane_normal(pose);
@@ -119,9 +120,9 @@ std::optional<OnSurface<T>> emergence(const Shape<T>& ground, const Pose<T>& pos
   return OnSurface<T>{sight.from + at, normal};
 }
 
-/// Of what is seen to cover the beginning of a sight: what nothing rises above, then what is nearest to the sight's
-/// end, then what the other shape is least deep below. Beneath the corner of a floor the walls that hold it up hide
-/// each other too.
+/// The choice among surfaces that cover the beginning of a sight: one that nothing rises above, then the one nearest
+/// to the sight's end, then the one below which the other shape is least deep. Beneath the corner of a floor the walls
+/// that hold it up hide each other too.
 template <class T>
 struct BestCover {
   const LeafInContext<T>& other;

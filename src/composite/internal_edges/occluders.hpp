@@ -1,4 +1,4 @@
-// What lies over a contact, so that it is none of the surface that the pieces make together.
+// Occluders: neighbours that lie over a contact, so that it is none of the surface that the pieces make together.
 //
 // A shape whose middle is above a floor and that meets, below the floor, the side of something has been let through by
 // the floor and not by that side. So one looks from the contact to the middle of the shape: what lies between is the
@@ -21,13 +21,13 @@ struct OnSurface {
   bool risen = false;  ///< something rises above it: the normal is none of the surface's after all
 };
 
-/// How far a place of the world is from a convex piece; negative inside a solid one.
+/// The distance of a place of the world from a convex piece; negative inside a solid one.
 template <class T>
 T distance_to(const LeafInContext<T>& self, const Vec3<T>& place);
 
-/// Where a neighbour hides a contact of `self`, at `point` with the normal `outward`, from the middle of `other`, if
-/// one does that continues the surface: it rises above the plane through the contact, and `self` does not go on above
-/// it. A search along a line for each contact asked about; no allocation.
+/// The point at which a neighbour hides a contact of `self`, at `point` with the normal `outward`, from the middle of
+/// `other`, if one does that continues the surface: it rises above the plane through the contact, and `self`
+/// does not go on above it. A search along a line for each contact asked about; no allocation.
 template <class T>
 std::optional<OnSurface<T>> surface_over(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                          const LeafInContext<T>& other);

@@ -36,7 +36,7 @@ void each_near(const HeightFieldData<T>& field, const Aabb<T>& region, const Mes
   field.each_at(region, look);
 }
 
-/// How far a triangle's bounds may be from a point that lies on it.
+/// The largest distance of a triangle's bounds from a point that lies on it.
 template <class T>
 T reach_on(const HeightFieldData<T>& field, T noise) {
   return on_piece<T> * max_abs(field.hierarchy().bounds().extent()) + noise;

@@ -30,7 +30,7 @@ bool any_around(const LeafInContext<T>& self, const Vec3<T>& point, const F& f) 
 template <class T>
 bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>& point, const Vec3<T>& outward);
 
-/// Which pieces may be a neighbour that rises: all but the piece itself, or all.
+/// The pieces that may be a neighbour that rises: all but the piece itself, or all.
 enum class Among { others, all };
 
 /// A neighbour of the piece that rises above the plane through the point.
