@@ -57,12 +57,12 @@ inline CosineSine cosine_sine(double angle) {
   const double quarters = std::floor(angle * 0.63661977236758134 + 0.5);
   const double rest =
       ((angle - quarters * detail::quarter_high) - quarters * detail::quarter_middle) - quarters * detail::quarter_low;
-  const CosineSine small = detail::cosine_sine_of_small(rest);
+  const CosineSine reduced = detail::cosine_sine_of_small(rest);
   const int turned = static_cast<int>(quarters) & 3;
-  CosineSine out = turned == 0   ? small
-                   : turned == 1 ? CosineSine{-small.sine, small.cosine}
-                   : turned == 2 ? CosineSine{-small.cosine, -small.sine}
-                                 : CosineSine{small.sine, -small.cosine};
+  CosineSine out = turned == 0   ? reduced
+                   : turned == 1 ? CosineSine{-reduced.sine, reduced.cosine}
+                   : turned == 2 ? CosineSine{-reduced.cosine, -reduced.sine}
+                                 : CosineSine{reduced.sine, -reduced.cosine};
   for (; halvings > 0; --halvings) out = detail::doubled(out);
   return out;
 }
