@@ -151,8 +151,8 @@ test("EPA: the way out ends on the nearest side, in space the polytope grows, an
   for (const _ of trace.epa) {
     await page.click("[data-next]");
     const off = await page.evaluate(() => {
-      const line = (kind) => ["x1", "y1", "x2", "y2"].map((k) => Number(document.querySelector(`.stage2 line.of-${kind}.wide`).getAttribute(k)));
-      const [x1, y1, x2, y2] = line("axis"), [, , x, y] = line("made");
+      const line = (lines) => ["x1", "y1", "x2", "y2"].map((k) => Number([...document.querySelectorAll(`.stage2 line.${lines}`)].at(-1).getAttribute(k)));
+      const [x1, y1, x2, y2] = line("of-axis.wide"), [, , x, y] = line("of-made");
       return Math.abs((x2 - x1) * (y - y1) - (y2 - y1) * (x - x1)) / Math.hypot(x2 - x1, y2 - y1);
     });
     assert.ok(off < 0.5, `the tip is ${off} pixels from the side`);
