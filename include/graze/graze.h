@@ -434,7 +434,8 @@ GRAZE_C_API GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3
 GRAZE_C_API GrazeStatus graze_trace_draw(const GrazeTrace *trace, const GrazeDebugDraw *on);
 // Draws one step: an axis, an iteration of GJK, an expansion of EPA or a cut of a face, counted from 0 in this order.
 GRAZE_C_API GrazeStatus graze_trace_step_draw(const GrazeTrace *trace, size_t step, const GrazeDebugDraw *on);
-// What a view holds, whole or in part, wherever its numbers come from: what has a count of 0 is not drawn.
+// Draws a trace, whole or one step, from a view of its numbers, wherever they come from; parts with a count of 0 are
+// left out.
 GRAZE_C_API GrazeStatus graze_trace_view_draw(const GrazeTraceView *view, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_trace_view_step_draw(const GrazeTraceView *view, size_t step, const GrazeDebugDraw *on);
 

@@ -1,10 +1,11 @@
-// Continuous collision: casts of the bodies that moved in a step by more than half of the depth of their centre of mass.
+// Continuous collision: casts of the bodies that moved in a step by more than half of the depth of their centre of
+// mass.
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
 // the contact. `World::find_impacts` casts both of two that move, turning included, so that rods do not pass posts nor
 // bullets each other. Bodies that hard joints hold together are held back together, at the first contact that any of
-// them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that lies on
-// something is held back together with what strikes it, which would push it into that.
+// them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that lies
+// on something is held back together with the body that strikes it and would push it in.
 #include <algorithm>
 #include <cmath>
 #include <limits>

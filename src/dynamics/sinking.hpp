@@ -1,8 +1,9 @@
-// Time to sink: how long two bodies that touch may go on as they move before one of them is deep in the other.
+// Time to sink: the time for which two bodies that touch may go on as they move before one of them is deep in the
+// other.
 //
 // Contacts hold bodies apart at the points that were found when the step began. A body that turns may come down beside
-// them, and one that lies on another may be struck from above; sunk to its centre of mass, it would be pushed out on the
-// other side.
+// them, and one that lies on another may be struck from above; sunk to its centre of mass, it would be pushed out on
+// the other side.
 #pragma once
 
 #include <optional>
@@ -22,11 +23,11 @@ struct MovingPair {
   const Pose &from_a, &from_b;
   const Velocity &velocity_a, &velocity_b;
 
-  /// How deep they overlap after `time`; negative where they are apart.
+  /// The depth of their overlap after `time`; negative where they are apart.
   T depth(T time) const {
     return -distance(shape_a, pose_at(from_a, velocity_a, time), shape_b, pose_at(from_b, velocity_b, time)).distance;
   }
-  /// How fast they get deeper, at most.
+  /// The speed at which they get deeper, at most.
   T speed() const {
     return length(velocity_a.linear - velocity_b.linear) + Space::speed_of_turning(shape_a, velocity_a.angular) +
            Space::speed_of_turning(shape_b, velocity_b.angular);
@@ -34,10 +35,10 @@ struct MovingPair {
 };
 
 /// The time within `duration` up to which two bodies that touch get no deeper than by half of what is left to `most`:
-/// so that no row of steps takes them further. An eighth of `most` is allowed in any case, or they would hang where they
-/// are. Nothing where 32 steps of conservative advancement do not tell, as of wheels that move by several times their
-/// width: these sink by no turning. Costs a distance for each step; of two that get no deeper, one for each half of
-/// `most` that they move.
+/// so that no row of steps takes them further. An eighth of `most` is allowed in any case, or they would hang where
+/// they are. Nothing where 32 steps of conservative advancement do not tell, as of wheels that move by several times
+/// their width: these sink by no turning. Costs a distance for each step; of two that get no deeper, one for each half
+/// of `most` that they move.
 template <class T, class Space>
 std::optional<T> time_to_sink(const MovingPair<T, Space>& pair, T most, T duration) {
   constexpr int steps = 32;

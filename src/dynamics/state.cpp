@@ -1,8 +1,8 @@
 // Saving the state of a simulation, and going back to it.
 //
 // A step depends on the poses and velocities of the bodies, and on the impulses of the last step's contacts. The latter
-// belong to points that the world finds anew where the last update found them: so bodies are put there first. Nothing in a
-// state belongs to the simulation that saved it, so that one with the same bodies and joints may go on from it.
+// belong to points that the world finds anew where the last update found them: so bodies are put there first. Nothing
+// in a state belongs to the simulation that saved it, so that one with the same bodies and joints may go on from it.
 #include <string>
 
 #include "dynamics/bit_hash.hpp"

@@ -22,7 +22,7 @@ class Columns {
     if (flat_) return fmt::format("{:10.5g} {:11.5g}", v.x + 0.0, v.y + 0.0);
     return fmt::format("{:9.5g} {:9.5g} {:9.5g}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
   }
-  /// As wide as the columns are.
+  /// A heading as wide as the columns.
   std::string head(const char* words) const { return fmt::format("{:^{}}", words, flat_ ? 22 : 29); }
 
  private:

@@ -1,5 +1,5 @@
-// Movers that are made of pieces, on floors that are: both surfaces have seams, and a contact has the floor's normal all
-// the same. The poses are those that a survey of a million found wrong.
+// Movers that are made of pieces, on floors that are: both surfaces have seams, and a contact has the floor's normal
+// all the same. The poses are those that a survey of a million found wrong.
 #include <gtest/gtest.h>
 
 #include <array>

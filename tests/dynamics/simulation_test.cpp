@@ -143,7 +143,8 @@ TYPED_TEST(SimulationOf, StaticFrictionHoldsWhatDynamicLetsGo) {
   }
 }
 
-/// A box that is put on a slope of 3 : 4 slips until its weight rests on the contact, and then stays by static friction.
+/// A box that is put on a slope of 3 : 4 slips until its weight rests on the contact, and then stays by static
+/// friction.
 TYPED_TEST(SimulationOf, WhatIsPutDownGentlyStays) {
   using T = TypeParam;
   const Quat<T> tilt = normalized(Quat<T>{T(0), T(0), T(-1), T(3)});

@@ -44,7 +44,8 @@ struct LaneLeastEdge {
     return select(next < S(0), -root, root);
   }
 
-  /// Edges shorter than this, squared, are left to the walk, as in `edge_axes.kernel.cpp`.
+  /// The square of the shortest edge taken here. A pair alone leaves edges to the walk whose squares are below 1e-36,
+  /// near the least float (`edge_axes.kernel.cpp`); ten times that length is clear of it, whatever rounding does.
   static constexpr double least_squared_edge = 1e-34;
 };
 

@@ -84,6 +84,8 @@ struct LanePolygons {
   }
 
  private:
+  /// Bounds of sizes whose sixth power, as of the squares of heights times squares of lengths that are compared without
+  /// roots, is a normal double with room for edges that are shorter: other pairs are answered one by one.
   static constexpr double least_lane_size = 1e-14, most_lane_size = 1e14;
 
   [[gnu::always_inline]] void load(const PolygonColumns& from, std::size_t first, LaneVertices<S, N>& to) {

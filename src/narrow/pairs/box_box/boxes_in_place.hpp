@@ -1,7 +1,7 @@
 // Two boxes in place, and the axis that their contacts stand on, whichever of them is called A.
 //
-// Guarantee: in every lane the bits that the pair gives alone, and those of the swapped pair mirrored. What one box sees
-// of the other is never found from what the other sees of it, which would round once more.
+// Guarantee: in every lane the bits that the pair gives alone, and those of the swapped pair mirrored. The view of one
+// box from the other is never found from the opposite view, which would round once more.
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
@@ -38,7 +38,7 @@ struct BoxesInPlace {
   }
 };
 
-/// As of `BoxPair`, with the way between the middles as either box sees it.
+/// The rounding error of a separation, as that of a `BoxPair`, with the way between the middles as either box sees it.
 template <class S>
 S box_noise(const BoxesInPlace<S>& p, const S& size_a, const S& size_b) {
   using T = typename LaneOf<S>::type;
@@ -46,7 +46,7 @@ S box_noise(const BoxesInPlace<S>& p, const S& size_a, const S& size_b) {
          (greatest(size_a, size_b) + greatest_of(greatest(abs(p.rows.translation), abs(p.from_b))));
 }
 
-/// As `best_face`; of faces that rounding cannot tell apart the first of the box that comes first.
+/// The face of `best_face`, whichever box is A: of faces equal within rounding, the first one of the box that is first.
 template <class S>
 BoxFace<S> reference_face(const BoxesInPlace<S>& p, const S& noise) {
   using T = typename LaneOf<S>::type;
@@ -59,10 +59,11 @@ BoxFace<S> reference_face(const BoxesInPlace<S>& p, const S& noise) {
   return {separation, select(number < S(0), number + S(T(6)), number)};
 }
 
-/// Numbers of axes from this one on are those of products of edges once more, along which B's face clips.
+/// The first number of the products of edges along which B's face clips; below are those along which A's does.
 inline constexpr int first_of_b_clipping = 15;
 
-/// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better.
+/// The reference axis for contacts up to `margin` apart. A face is preferred to an edge that is better by less than
+/// `face_preference`.
 template <class S>
 BoxReferenceAxis<S> box_reference_axis(const BoxesInPlace<S>& p, const S& margin) {
   using std::abs;
@@ -70,7 +71,7 @@ BoxReferenceAxis<S> box_reference_axis(const BoxesInPlace<S>& p, const S& margin
   using Mask = decltype(S() < S());
   const S size_a = length(p.rows.half_a), size_b = length(p.rows.half_b), noise = box_noise(p, size_a, size_b);
   const auto [face, face_number] = reference_face(p, noise);
-  // Where a face tells that they are further apart than anybody asks, edges need not be tried.
+  // Edges need no test where a face separates the boxes by more than the margin.
   const Mask decided = face > margin + noise;
   S edge(-std::numeric_limits<T>::infinity()), edge_number(0);
   if (!all(decided)) edge = select(decided, edge, best_edges(p.rows, face + noise, edge_number));
