@@ -4,6 +4,9 @@
 // Guarantee: free functions found by their arguments, of `graze` for three dimensions and of `graze::plane` for two.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "dynamics/turning.hpp"
 #include "graze/angles.hpp"
 #include "graze/plane/rigid.hpp"
@@ -89,35 +92,32 @@ Vec3<T> checked_vector(const Vec3<T>& v, const char* path) {
   return validate::point(v, path);
 }
 
-/// The part of a shape's largest extent that a surface is thinner than: its extent across is no size.
+/// The least of `ways`, one for each axis, along the axes along which a shape of these extents is no surface. A surface
+/// is thinner than a thousandth of its largest extent: that is rounding or relief, and no size.
+template <class T, std::size_t N>
+T least_across(const std::array<T, N>& extents, const std::array<T, N>& ways) {
+  const T largest = *std::max_element(extents.begin(), extents.end());
+  T least_way = std::numeric_limits<T>::infinity();
+  for (std::size_t i = 0; i < N; ++i)
+    if (extents[i] > largest * T(1e-3)) least_way = least(least_way, ways[i]);
+  return least_way;
+}
+
 template <class T>
-constexpr T thin = T(1e-3);
+std::array<T, 3> coordinates(const Vec3<T>& v) {
+  return {v.x, v.y, v.z};
+}
+template <class T>
+std::array<T, 2> coordinates(const plane::Vec2<T>& v) {
+  return {v.x, v.y};
+}
 
 /// The least extent of a shape along its axes; infinite for a half-space, and for a surface its thickness.
 template <class T>
 T size_of(const Shape<T>& shape) {
   if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
-  const Aabb<T> box = bounds(shape, Pose<T>{});
-  const Vec3<T> extent = box.upper - box.lower;
-  T least_extent = std::numeric_limits<T>::infinity();
-  for (std::size_t i = 0; i < 3; ++i)
-    if (extent[i] > max_abs(extent) * thin<T>) least_extent = least(least_extent, extent[i]);
-  return least_extent;
-}
-
-/// The way from a shape's centre of mass to the nearest side of the box of its extents: half of its size for one that
-/// is alike on both sides, half of that for a cone. A sixteenth of its size at least, wherever the centre may be.
-template <class T>
-T depth_of_center(const Shape<T>& shape, const Vec3<T>& center) {
-  const T size = size_of(shape);
-  if (!std::isfinite(size)) return size;
-  const Aabb<T> box = bounds(shape, Pose<T>{});
-  const Vec3<T> extent = box.upper - box.lower;
-  T depth = size / T(2);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (extent[i] > max_abs(extent) * thin<T>)
-      depth = least(depth, least(center[i] - box.lower[i], box.upper[i] - center[i]));
-  return greatest(depth, size / T(16));
+  const auto extents = coordinates(bounds(shape, Pose<T>{}).extent());
+  return least_across(extents, extents);
 }
 
 namespace plane {
@@ -176,25 +176,24 @@ template <class T>
 T size_of(const Shape<T>& shape) {
   if (shape.template as<HalfPlane<T>>()) return std::numeric_limits<T>::infinity();
   const Aabb2<T> box = bounds(shape, Pose2<T>{});
-  const Vec2<T> extent = box.upper - box.lower;
-  T least_extent = std::numeric_limits<T>::infinity();
-  for (const T e : {extent.x, extent.y})
-    if (e > max_abs(extent) * thin<T>) least_extent = least(least_extent, e);
-  return least_extent;
-}
-template <class T>
-T depth_of_center(const Shape<T>& shape, const Vec2<T>& center) {
-  const T size = size_of(shape);
-  if (!std::isfinite(size)) return size;
-  const Aabb2<T> box = bounds(shape, Pose2<T>{});
-  const Vec2<T> extent = box.upper - box.lower, below = center - box.lower, above = box.upper - center;
-  T depth = size / T(2);
-  if (extent.x > max_abs(extent) * thin<T>) depth = least(depth, least(below.x, above.x));
-  if (extent.y > max_abs(extent) * thin<T>) depth = least(depth, least(below.y, above.y));
-  return greatest(depth, size / T(16));
+  const auto extents = coordinates(box.upper - box.lower);
+  return least_across(extents, extents);
 }
 
 }  // namespace plane
+
+/// The way from a shape's centre of mass to the nearest side of the box of its extents: half of its size for one that
+/// is alike on both sides, half of that for a cone. A sixteenth of its size at least, wherever the centre may be.
+template <class Shape, class Vec>
+auto depth_of_center(const Shape& shape, const Vec& center) {
+  using T = std::decay_t<decltype(center.x)>;
+  const T size = size_of(shape);
+  if (!std::isfinite(size)) return size;
+  const auto box = bounds(shape, {});
+  const auto extents = coordinates(box.upper - box.lower), below = coordinates(center - box.lower),
+             above = coordinates(box.upper - center);
+  return greatest(least(size / T(2), least(least_across(extents, below), least_across(extents, above))), size / T(16));
+}
 
 /// The operations of vectors for turnings of the plane, which are plain numbers: their type has no namespace in which
 /// such names would be found.
