@@ -348,10 +348,10 @@ struct Calls {
   }
 
   void pass_on(const GrazeStruckBodyd& ground, const GrazeStruckBodyd& body) {
-    GrazeStruckBodyd bodies[] = {ground, body};
+    GrazeStruckBodyd struck[] = {ground, body};
     const GrazePlaneStruckBodyd flat_body{{{in.number(), in.number()}, in.number(), {0, 0}},
                                           {in.length(), in.length()}};
-    GrazePlaneStruckBodyd flat_bodies[] = {{}, flat_body};
+    GrazePlaneStruckBodyd flat_struck[] = {{}, flat_body};
     const GrazeVec3d points[] = {in.vector(), in.vector()};
     const GrazeVec2d flat_points[] = {{points[0].x, points[0].y}, {points[1].x, points[1].y}};
     const std::uint32_t a = in.byte() % 3, b = in.byte() % 3, first = in.byte() % 4, count = in.byte() % 4;
@@ -359,11 +359,11 @@ struct Calls {
     const GrazePlaneBlowd flat{a, b, {0, blow.normal.y}, blow.restitution, first, count};
     double impulses[2] = {};
     GrazePassedOnd passed{};
-    const GrazeTouchingd touching{in.maybe(bodies), 0, 2, in.maybe(&blow),    0, 1,
+    const GrazeTouchingd touching{in.maybe(struck), 0, 2, in.maybe(&blow),    0, 1,
                                   in.maybe(points), 0, 2, in.maybe(impulses), 0};
     if (told(graze_pass_on_d(in.maybe(&touching), in.length(), in.byte(), in.maybe(&passed))))
       require(first + count <= 2 && a != b && passed.struck < 256);
-    const GrazePlaneTouchingd touching_flat{flat_bodies, 0, 2, &flat, 0, 1, flat_points, 0, 2, impulses, 0};
+    const GrazePlaneTouchingd touching_flat{flat_struck, 0, 2, &flat, 0, 1, flat_points, 0, 2, impulses, 0};
     told(graze_plane_pass_on_d(in.maybe(&touching_flat), in.length(), in.byte(), in.maybe(&passed)));
     GrazePlaneMotiond after;
     told(graze_plane_apply_impulse_d(in.maybe(&flat_body), flat_points[0], flat_points[1], in.maybe(&after)));
