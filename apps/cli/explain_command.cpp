@@ -40,64 +40,11 @@ std::string question_line(const ExplainArguments& options) {
                      counted(static_cast<std::size_t>(count), "line"));
 }
 
-/// What a blow did, and the quantities that led there, in the order in which they follow from each other.
-std::string response_text(const Json& answer) {
-  const Json &trace = answer["trace"], &friction = trace["friction"];
-  std::string out;
-  const auto row = [&](const char* name, const Json& of) {
-    out += fmt::format("  {:<20}", name);
-    for (const Json& number : of.is_array() ? of : Json::array({of}))
-      out += number.is_string() ? fmt::format(" {:>9}", number.get<std::string>())
-                                : fmt::format(" {:9.5g}", number.get<double>() + 0.0);
-    out += '\n';
-  };
-  out += fmt::format("response: the impulse along the normal is {:.6g}, friction {}\n",
-                     answer["normalImpulse"].get<double>(), friction["holds"].get<bool>() ? "holds" : "slides");
-  row("impulse on B", answer["impulse"]);
-  for (const char* body : {"a", "b"}) {
-    const std::string name = body == std::string("a") ? "A" : "B";
-    row((name + " moves on by").c_str(), answer[body]["linear"]);
-    row((name + " turns on by").c_str(), answer[body]["angular"]);
-  }
-  out += fmt::format("\n  method    {}\n\n", trace["method"].get<std::string>());
-  row("normal", trace["normal"]);
-  row("B seen from A", trace["relativeVelocity"]["whole"]);
-  row("  along the normal", trace["relativeVelocity"]["normal"]);
-  row("  across it", trace["relativeVelocity"]["tangential"]);
-  row("effective mass", trace["effectiveMass"]);
-  row("normal impulse", trace["normalImpulse"]);
-  row("sliding after it", friction["sliding"]);
-  row("impulse to end that", friction["stopping"]);
-  row("friction up to", friction["limit"]);
-  row("friction", friction["impulse"]);
-  row("at fault", trace["atFault"]);
-  return out;
-}
-
-/// A blow has quantities and no shapes that would have to be there, so that there is nothing to draw.
-int explain_response(const ExplainArguments& options, const Json& answer) {
-  if (answer.contains("error")) throw InvalidValue("", "", answer["error"].get<std::string>());
-  if (!options.svg.empty()) throw InvalidValue("--svg", "a query with a picture", "response");
-  if (options.json)
-    print(answer);
-  else
-    fmt::print("{}", response_text(answer));
-  return 0;
-}
-
-/// Whether a question is one about a blow. What cannot be read is not.
-bool asks_for_response(const std::string& question) {
-  const Json json = Json::parse(question, nullptr, false);
-  return json.is_object() && json.value("query", Json()) == "response";
-}
-
 int run_explain(const ExplainArguments& options) {
   const Vec3d direction = checked_direction(options.direction);
   check_ending("--svg", options.svg, ".svg");
   const std::string question = question_line(options);
   const io::Precision precision = precision_of(options.precision);
-  if (asks_for_response(question))
-    return explain_response(options, Json::parse(io::explained_line(question, precision).text));
   std::optional<Progress> progress("explaining");
   const io::Explanation explanation = io::explain(question, precision);
   if (!options.svg.empty()) io::write_file(options.svg, io::draw_explanation(explanation, direction));
@@ -120,7 +67,7 @@ Run add_explain(CLI::App& app) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print the answer with its trace as JSON, as the protocol has it");
-  command->add_option("--svg", options->svg, "Draw the shapes, the axes and the contacts (.svg)");
+  command->add_option("--svg", options->svg, "Draw the shapes, the axes and the contacts, or the blow (.svg)");
   command->add_option("--direction", options->direction, "Where the picture is seen from, about: x,y,z")
       ->delimiter(',')
       ->expected(3)

@@ -3,6 +3,7 @@
 #include "io/answer.hpp"
 #include "io/convert.hpp"
 #include "io/plane_answer.hpp"
+#include "io/response.hpp"
 
 namespace graze::io {
 
@@ -104,6 +105,7 @@ Explanation explain(std::string_view question, Precision precision) {
   const Json json = parse_json(question);
   if (!json.is_object()) throw InvalidValue("", "one JSON object", shown(json));
   const JsonValue value(json, "");
+  if (asks_for_response(value)) return explain_response(value, precision);
   const bool wide = precision == Precision::double_precision;
   Explanation e;
   if (json.contains("query") && json["query"].is_string()) e.query = json["query"].get<std::string>();

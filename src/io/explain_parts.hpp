@@ -45,6 +45,9 @@ class AxisDrawing {
   double low_, high_, bar_a_, bar_b_;  ///< of the shapes along the axis; where along `beside_` the bars are
 };
 
+/// The two lines at the top: the outcome and the method.
+std::string headline(const Explanation& e);
+
 /// A bar of a list.
 std::string bar(double x0, double x1, double y, const Color& color);
 /// The background of the row of a list that won.
@@ -71,5 +74,9 @@ double difference_height(const Trace& trace);
 std::string draw_spans(const Explanation& e);
 /// The steps of conservative advancement as rows, the distance as a bar on a logarithmic scale; down to `bottom`.
 std::string draw_steps(const Explanation& e, double bottom);
+
+/// A blow: the bodies with their velocities before and after it, the impulse, and beside them the quantities and
+/// Coulomb's cone.
+std::string draw_response(const Explanation& e, const Vec3d& toward_viewer);
 
 }  // namespace graze::io

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/io/explain.hpp"
+#include "io/response.hpp"
 
 namespace graze::io {
 
@@ -169,6 +169,7 @@ std::string feature_text(std::uint32_t feature, const Explanation& e) {
 }
 
 std::string outcome_text(const Explanation& e) {
+  if (e.response) return response_outcome(e.response->result);
   if (e.ray) return e.ray->hit ? fmt::format("the ray hits at {:.6g}", e.ray->hit->t) : "the ray hits nothing";
   if (e.cast)
     return e.cast->hit ? fmt::format("the bodies touch at {:.6g}", e.cast->hit->t)
@@ -183,6 +184,7 @@ std::string outcome_text(const Explanation& e) {
 
 std::string explanation_text(const Explanation& e) {
   std::string out = e.query + ": " + outcome_text(e) + "\n";
+  if (e.response) return out + response_text(e);
   const Columns columns(e);
   const auto line = [&](const char* name, const Vec3d& v) { out += fmt::format("  {:<9} {}\n", name, columns(v)); };
   if (e.distance) {

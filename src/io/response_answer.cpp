@@ -51,18 +51,26 @@ void write_response_trace(const ResponseQuestion<T>& q, const Response<T>& r, Js
 }  // namespace
 
 template <class T>
-void write_response(const ResponseQuestion<T>& q, JsonWriter& out) {
+Response<T> answer_response(const ResponseQuestion<T>& q) {
   const Response<T> r = response(q.contact, q.a, q.b);
   if (!q.a.mass.movable() && !q.b.mass.movable() && r.approach.normal < T(0))
     throw InvalidValue("a.mass, b.mass", "a finite mass of one of two bodies that approach", "\"infinity\" twice");
   if (!finite(r.impulse) || !finite(r.a) || !finite(r.b))
     throw InvalidValue("a, b", "masses and velocities of which the products are finite numbers", "larger ones");
+  return r;
+}
+
+template <class T>
+void write_response(const ResponseQuestion<T>& q, JsonWriter& out) {
+  const Response<T> r = answer_response(q);
   out.key("normalImpulse").number(r.normal_impulse).key("impulse").vector(r.impulse, q.dimension);
   write_motion("a", r.a, q.dimension, out);
   write_motion("b", r.b, q.dimension, out);
   if (q.explain) write_response_trace(q, r, out);
 }
 
+template Response<float> answer_response(const ResponseQuestion<float>&);
+template Response<double> answer_response(const ResponseQuestion<double>&);
 template void write_response(const ResponseQuestion<float>&, JsonWriter&);
 template void write_response(const ResponseQuestion<double>&, JsonWriter&);
 

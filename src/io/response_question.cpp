@@ -130,6 +130,31 @@ ResponseQuestion<T> read_response(const JsonValue& json) {
   return q;
 }
 
+std::optional<Placed<double>> read_struck_shape(const JsonValue& body) {
+  const auto json = body.find("shape");
+  if (!json) return std::nullopt;
+  Placed<double> placed{read_shape<double>(*json), {}};
+  if (const auto v = body.find("rotation")) placed.pose.rotation = read_rotation<double>(*v);
+  if (const auto v = body.find("translation")) placed.pose.translation = v->vector<double>();
+  if (const auto of = mass_properties(placed.shape); of.volume > 0)
+    placed.pose.translation -= rotate(placed.pose.rotation, of.center);
+  return placed;
+}
+
+std::optional<plane::Placed<double>> read_struck_plane_shape(const JsonValue& body) {
+  const auto json = body.find("shape");
+  if (!json) return std::nullopt;
+  plane::Placed<double> placed{read_plane_shape<double>(*json), {}};
+  if (const auto v = body.find("rotation")) placed.pose.rotation = plane::Rot2d::from_angle(v->number<double>());
+  if (const auto v = body.find("translation")) {
+    const Vec3d at = v->plane_vector<double>();
+    placed.pose.translation = {at.x, at.y};
+  }
+  if (const auto of = plane::mass_properties(placed.shape); of.area > 0)
+    placed.pose.translation -= rotate(placed.pose.rotation, of.center);
+  return placed;
+}
+
 template ResponseQuestion<float> read_response(const JsonValue&);
 template ResponseQuestion<double> read_response(const JsonValue&);
 

@@ -1,7 +1,7 @@
 // Explanations: one query of the protocol answered with its trace, as text and as a picture.
 //
-// Guarantee: the answer is the ordinary one, bit by bit, and the explanation is made after it. Every query about shapes
-// that the protocol answers can be explained; the quantities of a `response` are in `explained_line`.
+// Guarantee: the answer is the ordinary one, bit by bit, and the explanation is made after it. Every query that the
+// protocol answers can be explained.
 #pragma once
 
 #include <optional>
@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "graze/cast.hpp"
+#include "graze/impulse.hpp"
 #include "graze/io/protocol.hpp"
 #include "graze/plane/shape.hpp"
 #include "graze/query.hpp"
@@ -30,20 +31,29 @@ struct ExplainedCast {
   std::optional<CastHit<double>> hit;  ///< result of the query
 };
 
+/// A blow: the contact, the bodies before it, and the response with all quantities that lead to it.
+struct ExplainedResponse {
+  StruckContact<double> contact;  ///< contact of the query
+  StruckBody<double> a, b;        ///< bodies of the query
+  Response<double> result;        ///< result of the query
+};
+
 /// A query with its result and its trace. Numbers of a query in float are widened.
 struct Explanation {
-  std::string query;  ///< "overlap", "distance", "contacts", "raycast", "cast" or "closest"
+  std::string query;  ///< "overlap", "distance", "contacts", "raycast", "cast", "closest" or "response"
   int dimension = 3;  ///< 2 or 3
-  /// The bodies, in space. B of a `closest` is the point, as a ball of zero radius; a `raycast` has no B.
+  /// The bodies, in space. B of a `closest` is the point, as a ball of zero radius; a `raycast` has no B; those of a
+  /// `response` are there if the query gives their shapes.
   std::optional<Placed<double>> a, b;
   /// The bodies, in the plane; all vectors below then have z = 0.
   std::optional<plane::Placed<double>> plane_a, plane_b;
-  bool overlap = false;                      ///< for `raycast` and `cast`: whether there is a hit
-  std::optional<Distance<double>> distance;  ///< result of `distance` and `closest`
-  Manifolds<double> manifolds;               ///< result of `contacts`
-  std::optional<ExplainedRay> ray;           ///< query and result of `raycast`
-  std::optional<ExplainedCast> cast;         ///< query and result of `cast`
-  Trace trace;                               ///< steps of the query
+  bool overlap = false;                       ///< for `raycast` and `cast`: whether there is a hit
+  std::optional<Distance<double>> distance;   ///< result of `distance` and `closest`
+  Manifolds<double> manifolds;                ///< result of `contacts`
+  std::optional<ExplainedRay> ray;            ///< query and result of `raycast`
+  std::optional<ExplainedCast> cast;          ///< query and result of `cast`
+  std::optional<ExplainedResponse> response;  ///< query and result of `response`
+  Trace trace;                                ///< steps of the query
 };
 
 /// Answers and explains a query, one line of the protocol. Throws `InvalidValue` where the protocol answers with an
@@ -58,9 +68,9 @@ GRAZE_API std::string explanation_text(const Explanation& explanation);
 
 /// The explanation as a picture in SVG: the shapes, the winning axis with the intervals of both, the points of contact
 /// with their ids, and all axes beside each other; for a ray its spans, for moving bodies both at the start and at the
-/// hit, and the steps up to there. Seen across the winning axis, from the side of `toward_viewer`; the plane is seen
-/// from above, with all axes of two boxes drawn as projections, and below them the Minkowski difference with the steps
-/// of GJK and EPA.
+/// hit, and the steps up to there; for a blow the velocities before and after it, the impulse and Coulomb's cone. Seen
+/// across the winning axis, from the side of `toward_viewer`; the plane is seen from above, with all axes of two boxes
+/// drawn as projections, and below them the Minkowski difference with the steps of GJK and EPA.
 GRAZE_API std::string draw_explanation(const Explanation& explanation, const Vec3d& toward_viewer);
 
 /// The features of a contact's number in words: "face 5 of A, vertex 0 of B".
