@@ -1,21 +1,19 @@
 // graze simulate: a scene played.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 
 #include "checked.hpp"
 #include "commands.hpp"
 #include "graze/error.hpp"
-#include "graze/io/collide.hpp"
 #include "graze/io/file.hpp"
-#include "graze/io/picture.hpp"
 #include "graze/io/plane_simulate.hpp"
 #include "graze/io/simulate.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
+#include "simulate_picture.hpp"
 #include "simulate_summary.hpp"
 #include "thread_executor.hpp"
 
@@ -30,39 +28,6 @@ struct SimulateArguments {
   int threads = 1, sub_steps = 4;
   std::string precision = "double", out, svg, report = "text";
 };
-
-/// The scene with its bodies where a frame has them, but for those that have left it by more than its own size.
-io::Scene moved_to(const io::Scene& scene, const io::SimulationFrame& frame) {
-  io::Scene moved = scene;
-  moved.colliders.clear();
-  Aabbd around = Aabbd::empty();
-  for (const io::Collider& c : scene.colliders)
-    if (const Aabbd box = bounds(c.shape, c.pose); max_abs(box.extent()) < 1e300) around = merged(around, box);
-  const Vec3d size = around.extent();
-  const auto moving = io::moving_bodies(scene);
-  for (io::Collider c : scene.colliders) {
-    for (std::size_t i = 0; i < moving.size(); ++i)
-      if (moving[i] == c.body) c.pose = compose(frame.bodies[i].pose, relative(scene.bodies[c.body].pose, c.pose));
-    const Vec3d past = c.pose.translation - (around.lower + around.upper) / 2.0;
-    if (std::abs(past.x) <= size.x && std::abs(past.y) <= size.y && std::abs(past.z) <= size.z)
-      moved.colliders.push_back(std::move(c));
-  }
-  return moved;
-}
-
-/// Writes two pictures in one, the second below the first.
-void write_pictures(const std::string& file, const io::Scene& before, const io::Scene& after) {
-  const auto drawn = [](io::Scene scene, const char* when) {
-    scene.source += when;
-    return io::draw_picture(scene, io::collide(scene), {1, 0.6, 1.4});
-  };
-  std::string below = drawn(after, ", after");
-  const std::size_t root = below.find("<svg");
-  below.insert(root + 4, " y=\"600\"");
-  io::write_file(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 1200\" width=\"960\" "
-                       "height=\"1200\">\n" +
-                           drawn(before, ", before") + below.substr(root) + "</svg>\n");
-}
 
 /// Throws an error anew under the name of the option that was given.
 [[noreturn]] void throw_renamed(const InvalidValue& e) {
@@ -101,23 +66,22 @@ void play(AnyScene& scene, const SimulateArguments& options, const io::SimulateO
 }
 
 void run_in_plane(const SimulateArguments& options, io::SimulateOptions& how) {
-  if (!options.svg.empty()) throw InvalidValue("--svg", "a scene in space", "one of the plane");
   io::PlaneScene scene = io::load_plane_scene(options.scene.files[0]);
   if (options.gravity.empty() && scene.gravity) how.gravity = {scene.gravity->x, scene.gravity->y, 0};
   std::unique_ptr<io::PlaneRecording> recording;
   if (!options.out.empty()) recording = io::record(options.out, scene, how.precision);
   io::PlaneSimulationFrame last;
   play(scene, options, how, recording, last);
+  if (!options.svg.empty()) write_pictures(options.svg, scene, last);
 }
 
 void run_in_space(const SimulateArguments& options, const io::SimulateOptions& how) {
-  check_ending("--svg", options.svg, ".svg");
   io::Scene scene = options.scene.load(true, true);
   std::unique_ptr<io::Recording> recording;
   if (!options.out.empty()) recording = io::record(options.out, scene, options.scene.only_file(), how.precision);
   io::SimulationFrame last;
   play(scene, options, how, recording, last);
-  if (!options.svg.empty()) write_pictures(options.svg, scene, moved_to(scene, last));
+  if (!options.svg.empty()) write_pictures(options.svg, scene, last);
 }
 
 int run_simulate(const SimulateArguments& options) {
@@ -130,6 +94,7 @@ int run_simulate(const SimulateArguments& options) {
   if (options.threads < 1 || options.threads > 1024)
     throw InvalidValue("--threads", "a number from 1 to 1024", std::to_string(options.threads));
   validate::point(how.gravity, "--gravity");
+  check_ending("--svg", options.svg, ".svg");
   ThreadExecutor executor(static_cast<std::size_t>(options.threads));
   how.executor = &executor;
   try {
@@ -178,7 +143,7 @@ Run add_simulate(CLI::App& app) {
                   "A scene of the plane is an SVG or JSON, as of graze collide, with masses, velocities and materials "
                   "of its own;\ndocs/plane.md has them.\n\n"
                   "Examples:\n  graze simulate scene.gltf --seconds 20 --out moved.glb\n"
-                  "  graze simulate examples/scenes/plane.svg --seconds 5 --out moved.svg");
+                  "  graze simulate examples/scenes/plane.svg --seconds 5 --out moved.svg --svg after.svg");
   return [options] { return run_simulate(*options); };
 }
 

@@ -243,8 +243,8 @@ std::string rows(const std::vector<Quantity>& quantities, double& y) {
   return out;
 }
 
-/// Coulomb's cone with the normal impulse upwards, turned from the bodies' picture: what would end the sliding, and what
-/// friction carries of it.
+/// Coulomb's cone with the normal impulse upwards, turned from the bodies' picture: the impulse that would end the
+/// sliding, and the part of it that friction carries.
 std::string cone_panel(const ExplainedResponse& blow, const Vec3d& toward, double top) {
   const Response<double>& r = blow.result;
   const double j = r.normal_impulse, stopping = length(r.stopping_impulse), friction = length(r.friction_impulse);

@@ -101,8 +101,12 @@ TEST_F(Simulate, PlaysScenesOfThePlane) {
   EXPECT_EQ(run("simulate " + scene + " --out " + file("a.glb")).output,
             "graze: " + file("a.glb") +
                 ": expected a file name that ends in .svg or .jsonl, for a scene of the plane, got \".glb\"\n");
-  EXPECT_EQ(run("simulate " + scene + " --svg " + picture).output,
-            "graze: --svg: expected a scene in space, got one of the plane\n");
+  EXPECT_EQ(run("simulate " + scene + " --seconds 0.5 --svg " + picture).code, 0);
+  for (const char* when : {"plane.svg, before", "plane.svg, after"})
+    EXPECT_NE(text_of(picture).find(when), std::string::npos) << when;
+  EXPECT_EQ(text_of(picture).find("nan"), std::string::npos);
+  EXPECT_EQ(run("simulate " + scene + " --svg a.png").output,
+            "graze: --svg: expected a file name that ends in .svg, got a.png\n");
 }
 
 TEST_F(Simulate, SaysWhatIsWrong) {

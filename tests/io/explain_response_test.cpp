@@ -101,8 +101,8 @@ TEST(ExplainResponse, AShapeIsDrawnWithItsCentreOfMassAtTheBody) {
   EXPECT_NEAR(e.plane_b->pose.translation.y, 5, 1e-12);
 }
 
-// Seen across the sliding, friction points to the same side in the scene and in Coulomb's cone: a ball that slides to the
-// right is pushed to the left.
+// Seen across the sliding, friction points to the same side in the scene and in Coulomb's cone: a ball that slides to
+// the right is pushed to the left.
 TEST(ExplainResponse, TheImpulseLeansAgainstTheSliding) {
   const Explanation e = explain(
       R"({"query": "response", "a": {"mass": "infinity"}, "b": {"mass": 2, "shape": {"type": "sphere"},
