@@ -82,16 +82,16 @@ std::optional<std::uint32_t> piece_below(const Shape<T>& whole, const Pose<T>& p
   return found;
 }
 
-/// The rounding error of a place at which a body stands.
+/// The rounding error of coordinates of a body's size.
 template <class T>
-T standing_noise(const Part<T>& body, const Vec3<T>& place) {
-  return place_noise(place) + coordinate_noise(max_abs(bounds(body.shape, Pose<T>{}).extent()));
+T size_noise(const Part<T>& body) {
+  return coordinate_noise(max_abs(bounds(body.shape, Pose<T>{}).extent()));
 }
 
 }  // namespace
 
 template <class T>
-FlatFaces<T>::FlatFaces(const Part<T>& a, const Part<T>& b, T margin) : margin_(margin) {
+FlatFaces<T>::FlatFaces(const Part<T>& a, const Part<T>& b, T margin, bool alone) : alone_(alone), margin_(margin) {
   const auto floor = [](const Shape<T>& one, const Shape<T>& other) {
     if (is_surface(one) && is_surface(other)) return is_skin(other) && width_of(one) >= width_of(other);
     if (is_surface(one)) return may_stand(other) || other.template as<Compound<T>>() != nullptr;
@@ -110,17 +110,27 @@ bool FlatFaces<T>::is_level_with(const Face& face, const Vec3<T>& normal, const 
 }
 
 template <class T>
-bool FlatFaces<T>::passes_over(const Part<T>& a, const Part<T>& b, bool alone) const {
-  if (faces_.empty() || !alone) return false;
-  const Part<T>&piece = piece_of(a, b), &body = body_of(a, b);
-  const auto* mesh = surface_->shape.template as<Mesh<T>>();
-  if (!mesh || !mesh->data().level[piece.number]) return false;
-  const auto& triangle = *piece.shape.template as<Triangle<T>>();
-  const Vec3<T> normal = rotate(piece.pose.rotation, face_normal(triangle));
-  const Vec3<T> place = transform(piece.pose, triangle.point(0));
+bool FlatFaces<T>::passes_over(std::uint32_t triangle, const Corners<T>& corners, const Part<T>& body,
+                               bool touching) const {
+  if (!knows_faces()) return false;
+  bool level = false;
+  with_surface(surface_->shape, [&](const auto& surface) { level = surface.lies_level(triangle); });
+  if (!level) return false;
+  const Vec3<T> across = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const Vec3<T> normal = rotate(surface_->pose.rotation, normalized(across, Vec3<T>{}));
+  const Vec3<T> place = transform(surface_->pose, corners[0]);
   return std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-    return face.whole && of_body(face, body) && is_level_with(face, normal, place, standing_noise(body, place));
+    return face.whole && (touching || face.clear) && of_body(face, body) &&
+           is_level_with(face, normal, place, place_noise(place) + face.body_noise);
   });
+}
+
+template <class T>
+bool FlatFaces<T>::passes_over(const Part<T>& a, const Part<T>& b, bool touching) const {
+  if (!knows_faces() || !is_surface(surface_->shape)) return false;
+  const Part<T>& piece = piece_of(a, b);
+  const auto& triangle = *piece.shape.template as<Triangle<T>>();
+  return passes_over(piece.number, {triangle.point(0), triangle.point(1), triangle.point(2)}, body_of(a, b), touching);
 }
 
 template <class T>
@@ -149,7 +159,7 @@ bool FlatFaces<T>::rests_on(const Face& face, const Part<T>& body, Manifold<T>& 
   std::optional<std::uint32_t> first;
   for (const ContactPoint<T>& point : manifold.points) {
     const Vec3<T>& foot = point.*side;
-    const T noise = standing_noise(body, foot) + level_sine<T> * length(foot - face.point);
+    const T noise = place_noise(foot) + face.body_noise + level_sine<T> * length(foot - face.point);
     const auto number = piece_below(surface_->shape, surface_->pose, face.normal, foot, noise);
     if (!number) return false;
     if (!first) first = number;
@@ -171,14 +181,16 @@ typename FlatFaces<T>::Standing FlatFaces<T>::stand(const Part<T>& a, const Part
   if (normal == Vec3<T>{}) return Standing::on_piece;
   const Vec3<T> touched = manifold.points[0].*(surface_is_a_ ? &ContactPoint<T>::a : &ContactPoint<T>::b);
   const Vec3<T> place = touched + normal * dot(furthest(piece.shape, piece.pose, normal) - touched, normal);
-  const T noise = standing_noise(body, place);
+  const T body_noise = size_noise(body), noise = place_noise(place) + body_noise;
   for (const Face& face : faces_)
     if (of_body(face, body) && is_level_with(face, normal, place, noise))
       return face.whole ? Standing::on_known_face : Standing::on_piece;
   if (faces_.size() == most) return Standing::on_piece;
-  Face face{normal, place, &body.shape, body.pose};
+  Face face{normal, place, &body.shape, body.pose, body_noise};
   Manifold<T> resting;
   face.whole = rests_on(face, body, resting);
+  face.clear = std::all_of(resting.points.begin(), resting.points.end(),
+                           [&](const ContactPoint<T>& point) { return point.distance > noise; });
   faces_.push_back(face);
   if (!face.whole) return Standing::on_piece;
   manifold = resting;

@@ -12,6 +12,7 @@
 
 #include "composite/internal_edges/leaf_in_context.hpp"
 #include "composite/leaf_pairs.hpp"
+#include "composite/triangle_pair.hpp"
 #include "graze/contact.hpp"
 
 namespace graze {
@@ -23,11 +24,18 @@ class FlatFaces {
   /// The faces of a pair whose pieces are met with this margin. The surface is the one of A and B that is a mesh or
   /// height field, or else a compound, while the other is not; else there are no faces. The larger of two meshes is the
   /// surface, if the other bounds a body.
-  FlatFaces(const Part<T>& a, const Part<T>& b, T margin);
+  /// `alone`: nothing is beside A and B.
+  FlatFaces(const Part<T>& a, const Part<T>& b, T margin, bool alone);
 
-  /// Whether a pair of pieces needs no contact of its own, since the body stands on a face that the triangle is inside
-  /// of: nothing but the mesh is around it (`alone`), and it knows that it is level with all that is.
-  bool passes_over(const Part<T>& a, const Part<T>& b, bool alone) const;
+  /// Whether any triangle may be passed over: a body was found to stand on a face of a surface that lies alone.
+  bool knows_faces() const { return alone_ && !faces_.empty(); }
+  /// Whether a triangle of the surface needs no contact of its own with a body, and says nothing of whether the two
+  /// touch: the body stands on a face that the triangle is inside of, as it lies level with all around it. `touching`:
+  /// the shapes are known to touch. Where they are not, the body has to be clear of the plane, and with it of the
+  /// triangle.
+  bool passes_over(std::uint32_t triangle, const Corners<T>& corners, const Part<T>& body, bool touching) const;
+  /// The same of a pair of pieces.
+  bool passes_over(const Part<T>& a, const Part<T>& b, bool touching) const;
 
   /// The fate of a piece's contact: it stays; it becomes the whole face's, the first time; or it is left out.
   enum class Standing { on_piece, on_face, on_known_face };
@@ -39,7 +47,9 @@ class FlatFaces {
     Vec3<T> normal{}, point{};  ///< outward, unit, and a point of the plane; in the world
     const Shape<T>* body = nullptr;
     Pose<T> body_pose{};
+    T body_noise{};  ///< the rounding error of coordinates of the body's size
     bool whole = false;
+    bool clear = false;  ///< if whole: the body is above the plane, by more than rounding
   };
   /// On more a body does not rest: it lies in rubble, where every try costs a contact and a search.
   static constexpr std::size_t most = 4;
@@ -57,7 +67,7 @@ class FlatFaces {
 
   const Part<T>* surface_ = nullptr;
   const Part<T>* skin_ = nullptr;  ///< the body, if it is a mesh
-  bool surface_is_a_ = false;
+  bool surface_is_a_ = false, alone_;
   T margin_;
   SmallVector<Face, 4> faces_;
 };

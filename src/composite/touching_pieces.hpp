@@ -67,36 +67,25 @@ struct TouchingPieces {
   T margin;
   bool singly;  ///< without kernels
   ManifoldGroups<T> groups;
-  FlatFaces<T> faces{a, b, margin};
+  FlatFaces<T> faces{a, b, margin, beside.empty()};
   T least_distance = std::numeric_limits<T>::infinity();
   Manifold<T> instead = {};                ///< the last resort, where nothing else is left
   bool instead_is_ghost = false;           ///< its normal is none of the surface's
   std::optional<NearGhost<T>> ghost = {};  ///< the last resort, if it is still to be laid along the surface
 
   void operator()(const Part<T>& pa, const Part<T>& pb) {
+    if (faces.passes_over(pa, pb, touching())) return;
     Manifold<T> manifold;
     take(pa, pb, convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold), manifold);
   }
   void operator()(const TriangleRun<T>& run) {
-    const auto alone = [&](std::size_t i) {
-      if (run.question.may_reach(run.corners(i), margin)) run.with_pair(i, *this);
-    };
-    if (singly || run.count < few) {
-      for (std::size_t i = 0; i < run.count; ++i) alone(i);
-      return;
-    }
-    const std::optional<RoundOnSurface<T>> round = round_on_surface(run);
-    const auto touching = [&](std::size_t i, T distance, Manifold<T>& manifold) {
-      if (round && round->is_ghost(run.number[i], manifold, run.surface_is_a))
-        return pass_over(run, i, distance, manifold);
-      run.with_pair(i, [&](const Part<T>& pa, const Part<T>& pb) { take(pa, pb, distance, manifold); });
-    };
-    visit_run_contacts(run, margin, touching, alone);
+    if (!faces.knows_faces()) return ask(run);
+    ask(run.without([&](std::size_t i) { return is_on_known_face(run, i); }));
   }
 
   /// Adds the point without which what touches would have none. Of what is only near, every contact is another body's.
   void add_last_resort() {
-    if (least_distance > T(0)) return;
+    if (!touching()) return;
     if (ghost) {
       const Part<T>& whole = ghost->surface_is_a ? a : b;
       Corners<T> corners;
@@ -111,6 +100,9 @@ struct TouchingPieces {
     if (!instead.points.empty()) groups.add(instead);
   }
 
+  /// Whether the shapes are known to touch.
+  bool touching() const { return least_distance <= T(0); }
+
  private:
   static LeafInContext<T> in_context(const Part<T>& whole, const Part<T>& piece, std::span<const PlacedRef<T>> beside) {
     const auto* mesh = piece.pushes != Pushes::either_way ? whole.shape.template as<Mesh<T>>() : nullptr;
@@ -119,6 +111,29 @@ struct TouchingPieces {
   }
 
   static constexpr std::size_t few = 3;  ///< fewer triangles are asked as quickly one by one
+
+  /// Whether the i-th triangle of a run needs no contact of its own, as its body stands on a face that it is inside of.
+  bool is_on_known_face(const TriangleRun<T>& run, std::size_t i) const {
+    return faces.passes_over(run.number[i], run.corners(i), run.body, touching());
+  }
+
+  /// Finds the contacts of a run.
+  void ask(const TriangleRun<T>& run) {
+    const auto alone = [&](std::size_t i) {
+      if (run.question.may_reach(run.corners(i), margin)) run.with_pair(i, *this);
+    };
+    if (singly || run.count < few) {
+      for (std::size_t i = 0; i < run.count; ++i) alone(i);
+      return;
+    }
+    const std::optional<RoundOnSurface<T>> round = round_on_surface(run);
+    const auto touch = [&](std::size_t i, T distance, Manifold<T>& manifold) {
+      if (round && round->is_ghost(run.number[i], manifold, run.surface_is_a))
+        return pass_over(run, i, distance, manifold);
+      run.with_pair(i, [&](const Part<T>& pa, const Part<T>& pb) { take(pa, pb, distance, manifold); });
+    };
+    visit_run_contacts(run, margin, touch, alone);
+  }
 
   /// The surface and the round body of a run, if edges tell which of its contacts are ghosts: it is no child, pushes to
   /// both sides, and nothing is beside it.
@@ -154,7 +169,7 @@ struct TouchingPieces {
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
-    if (faces.passes_over(pa, pb, beside.empty())) return;
+    if (faces.passes_over(pa, pb, true)) return;  // its distance counts already
     name_pieces(manifold, pa, pb);
     Taken taken = settled(pa, pb, distance, manifold);
     // A normal that is the surface's is kept before one that is not, then what is nearest.

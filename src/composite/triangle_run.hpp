@@ -37,6 +37,14 @@ struct TriangleRun {
     const auto& c = corner[i];
     return {{{c[0][0], c[0][1], c[0][2]}, {c[1][0], c[1][1], c[1][2]}, {c[2][0], c[2][1], c[2][2]}}};
   }
+  /// The triangles of which `leave_out(i)` is false, in their order.
+  template <class F>
+  TriangleRun without(const F& leave_out) const {
+    TriangleRun rest(surface, body, surface_is_a, patch, question);
+    for (std::size_t i = 0; i < count; ++i)
+      if (!leave_out(i)) rest.add(corners(i), number[i]);
+    return rest;
+  }
   /// Calls `f(part_a, part_b)` for the i-th triangle and the body, as a `PairVisitor` is called.
   template <class F>
   decltype(auto) with_pair(std::size_t i, F&& f) const {

@@ -11,6 +11,7 @@
 #include "graze/shape/height_field.hpp"
 #include "shape/field_pyramid.hpp"
 #include "shape/hierarchy.hpp"
+#include "shape/level_sine.hpp"
 #include "shape/triangles_across.hpp"
 
 namespace graze {
@@ -79,6 +80,27 @@ struct HeightFieldData {
     };
     if (odd != 0) return {in_cell(c - 1, r), in_cell(c, r + 1), number - 1};
     return {number + 1, in_cell(c + 1, r), in_cell(c, r - 1)};
+  }
+
+  /// Whether a triangle lies level with all that share a corner with it, the surface going on all around. All of these
+  /// lie in the nine cells about its own; where their edges along x and along z climb as its own do, up to a bound, so
+  /// do their planes, and two unit normals differ by no more than the slopes of their planes.
+  bool lies_level(std::uint32_t number) const {
+    const std::uint32_t at = number / 2, c = at % (columns - 1), r = at / (columns - 1), odd = number % 2;
+    if (c < 1 || r < 1 || c + 2 >= columns || r + 2 >= rows) return false;
+    // Of a step of one cell along x or z, half the sine from the triangle's own: a third leaves room for both at once.
+    const T most_x = level_sine<T> / T(3) * spacing_x, most_z = level_sine<T> / T(3) * spacing_z;
+    const T along_x = height(c + 1, r + odd) - height(c, r + odd),
+            along_z = height(c + 1 - odd, r + 1) - height(c + 1 - odd, r);
+    // Heights of holes are no numbers, of which no comparison is true.
+    for (std::uint32_t i = 0; i < 4; ++i)
+      for (std::uint32_t j = 0; j < 3; ++j) {
+        const std::uint32_t row = r - 1 + i, column = c - 1 + i;
+        const T of_row = height(c + j, row) - height(c - 1 + j, row),
+                of_column = height(column, r + j) - height(column, r - 1 + j);
+        if (!(std::abs(of_row - along_x) < most_x && std::abs(of_column - along_z) < most_z)) return false;
+      }
+    return true;
   }
 
   bool empty() const { return false; }

@@ -30,6 +30,7 @@ struct MeshData {
 
   const WideTree<T>& hierarchy() const { return tree; }
   const TrianglesAcross& across(std::uint32_t number) const { return neighbours[number]; }
+  bool lies_level(std::uint32_t number) const { return level[number]; }
   std::array<Vec3<T>, 3> triangle(std::uint32_t number) const {
     const auto& t = triangles[number];
     return {points[t[0]], points[t[1]], points[t[2]]};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/shape/mesh.hpp"
+#include "shape/level_sine.hpp"
 #include "shape/triangles_across.hpp"
 
 namespace graze {
@@ -51,11 +52,6 @@ class EdgeUses {
   std::vector<std::uint32_t> begin_;  ///< of each point: where the edges of which it is the lesser end begin
   std::vector<Use> uses_;             ///< those of one edge side by side, upwards first
 };
-
-/// The sine of the angle between normals below which triangles lie level: an eighth of that below which a contact's
-/// normal counts as that of a face, so that any other is none of the surface's.
-template <class T>
-inline constexpr T level_sine = T(2.5e-5);
 
 /// For each triangle whether it lies level with all that share a corner with it, the surface going on all around: no
 /// contact on its edges and corners has a normal but the face's. Cost n.

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "common/specimen.hpp"
+#include "composite/height_grid.hpp"
 #include "composite/internal_edges/voronoi_neighbours.hpp"
+#include "shape/height_field_data.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze {
@@ -104,6 +106,48 @@ TYPED_TEST(Level, TrianglesAreThoseThatTheSurfaceGoesOnAround) {
   points.push_back(points[24]);
   split[36][0] = n;  // one triangle at the middle has that corner to itself
   EXPECT_LT(count(Mesh<T>(points, split)), 2 * 4 * 4);
+}
+
+/// Those of a height field are level where the triangles of the nine cells about them have one normal: on slopes, about
+/// corners that are lifted and holes, and at the border.
+TYPED_TEST(Level, TrianglesOfHeightFieldsAreThoseWhoseNineCellsHaveOneNormal) {
+  using T = TypeParam;
+  Random random(6);
+  std::size_t level = 0;
+  for (int i = 0; i < 40; ++i) {
+    testing::HeightGrid<T> grid(14, 0.25f, 0, random);
+    // Steps of a power of two along x and z, whose sums are exact.
+    const T slope_x = T(0.0625) * T(i % 3), slope_z = T(-0.125) * T(i % 2);
+    for (std::size_t k = 0; k < grid.heights.size(); ++k) {
+      grid.heights[k] = slope_x * T(k % grid.side) + slope_z * T(k / grid.side);
+      if (random() % 30 == 0) grid.heights[k] += static_cast<T>(uniform(random, 0.001f, 1));
+      if (random() % 60 == 0) grid.heights[k] = std::numeric_limits<T>::quiet_NaN();
+    }
+    const Shape<T> shape = grid.field();
+    const HeightFieldData<T>& field = shape.template as<HeightField<T>>()->data();
+    const std::uint32_t cells = grid.side - 1;
+    const auto normal_of = [&](std::uint32_t t) {
+      const std::array<Vec3<T>, 3> c = field.triangle(t);
+      return normalized(cross(c[1] - c[0], c[2] - c[0]));
+    };
+    const auto one_normal_about = [&](std::uint32_t t) {
+      const std::uint32_t column = t / 2 % cells, row = t / 2 / cells;
+      if (column == 0 || row == 0 || column + 1 == cells || row + 1 == cells) return false;
+      for (std::uint32_t k = 0; k < 9; ++k) {
+        const std::uint32_t c = column + k % 3 - 1, r = row + k / 3 - 1;
+        const auto heights = field.cell(c, r);
+        if (!(heights.low <= heights.high)) return false;
+        for (const std::uint32_t other : {2 * (r * cells + c), 2 * (r * cells + c) + 1})
+          if (!(length(normal_of(other) - normal_of(t)) < T(1e-5))) return false;
+      }
+      return true;
+    };
+    for (std::uint32_t t = 0; t < field.size(); ++t) {
+      EXPECT_EQ(field.lies_level(t), one_normal_about(t)) << "triangle " << t << " of field " << i;
+      level += field.lies_level(t) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(level, 1000u);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "common/specimen.hpp"
+#include "composite/flat_faces.hpp"
 #include "graze/query.hpp"
+#include "narrow/pair_table.hpp"
 
 namespace graze {
 namespace {
@@ -15,9 +17,9 @@ using testing::Random;
 using testing::uniform;
 
 template <class T>
-class FlatFaces : public ::testing::Test {};
+class WholeFaces : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(FlatFaces, Scalars);
+TYPED_TEST_SUITE(WholeFaces, Scalars);
 
 constexpr int cells = 10;
 constexpr double cell = 0.41;
@@ -107,7 +109,7 @@ void expect_same(const Manifold<T>& found, const Manifold<T>& right, T within) {
   EXPECT_EQ(numbers.size(), found.points.size());
 }
 
-TYPED_TEST(FlatFaces, HaveTheContactsOfAHalfSpaceUnderMilliradians) {
+TYPED_TEST(WholeFaces, HaveTheContactsOfAHalfSpaceUnderMilliradians) {
   using T = TypeParam;
   Random random(3);
   const std::vector<Shape<T>> floors{flat_mesh<T>(random, true), flat_mesh<T>(random, false), flat_field<T>(),
@@ -144,8 +146,67 @@ TYPED_TEST(FlatFaces, HaveTheContactsOfAHalfSpaceUnderMilliradians) {
       }
 }
 
+/// Once a body is known to stand on a face, no triangle inside the face is asked about. While it is not known whether
+/// the two touch, that holds for a body that is clear of the plane.
+TYPED_TEST(WholeFaces, SpareTheTrianglesInsideThem) {
+  using T = TypeParam;
+  Random random(8);
+  const Shape<T> box = Box<T>({1, 1, 1});
+  const T margin = T(0.02);
+  for (const Shape<T>& floor : {flat_mesh<T>(random, true), flat_field<T>()})
+    for (const T height : {T(0.499), T(0.51)}) {
+      const Pose<T> ground{{T(3), T(-5), T(7)}, normalized(converted<T>(testing::random_rotation(random)))};
+      const Pose<T> pose = compose(ground, {{T(0.13), height, T(0.07)}, {}});
+      const Part<T> whole{floor, ground}, body{box, pose};
+      FlatFaces<T> faces(whole, body, margin, true), beside_others(whole, body, margin, false);
+      std::size_t inside = 0, count = 0;
+      with_surface(floor, [&](const auto& surface) {
+        const auto stand = [&](std::uint32_t number) {
+          const Corners<T> corners = surface.triangle(number);
+          const Shape<T> shape = Triangle<T>(corners[0], corners[1], corners[2]);
+          const Part<T> piece = whole.piece(shape, ground, number);
+          Manifold<T> manifold;
+          convex_contacts(shape, ground, box, pose, margin, manifold);
+          if (manifold.points.empty()) return;
+          EXPECT_FALSE(beside_others.passes_over(piece, body, true));
+          EXPECT_EQ(faces.passes_over(piece, body, true), faces.knows_faces() && surface.lies_level(number));
+          EXPECT_EQ(faces.passes_over(piece, body, false), faces.passes_over(piece, body, true) && height > T(0.5));
+          inside += faces.passes_over(piece, body, true) ? 1 : 0;
+          ++count;
+          beside_others.stand(piece, body, manifold);
+          faces.stand(piece, body, manifold);
+        };
+        for (std::uint32_t i = 0; i < 2 * cells * cells; ++i) stand(i);
+      });
+      EXPECT_GT(count, 10u);
+      EXPECT_GE(inside + 4, count);
+    }
+}
+
+/// Whether a body touches is told by the triangles that are asked about, and is what its distance says.
+TYPED_TEST(WholeFaces, SayWhetherTheirBodyTouches) {
+  using T = TypeParam;
+  Random random(12);
+  std::size_t touching = 0;
+  constexpr std::size_t frames = 200;
+  for (const Shape<T>& floor : {flat_mesh<T>(random, true), flat_field<T>()})
+    for (const StandingBody<T>& body : bodies<T>())
+      for (std::size_t i = 0; i < frames; ++i) {
+        Pose<T> pose = leaning(body, random, normalized(Quat<T>{0, static_cast<T>(i), 0, 20}));
+        pose.translation.y += static_cast<T>(uniform(random, 0, 0.005f));
+        Manifolds<T> found;
+        const bool touches = contacts(floor, {}, body.shape, pose, T(0.02), found);
+        touching += touches ? 1 : 0;
+        const T apart = distance(floor, {}, body.shape, pose).distance;
+        if (std::abs(apart) <= T(100) * tolerance<T>) continue;
+        EXPECT_EQ(touches, apart < T(0)) << body.shape.name() << ", frame " << i << ", " << apart << " apart";
+      }
+  EXPECT_GT(touching, 2 * frames);
+  EXPECT_LT(touching, 6 * frames);
+}
+
 /// A body that hangs over the rim has no point beyond that; it stands on the rim too.
-TYPED_TEST(FlatFaces, EndWhereTheirPiecesEnd) {
+TYPED_TEST(WholeFaces, EndWhereTheirPiecesEnd) {
   using T = TypeParam;
   const Shape<T> floor = tiles<T>(cells / 2), box = Box<T>({1, 1, 1});  // none where x < 0
   const Pose<T> pose{{T(0.13), T(0.499), T(0.07)}, {}};
@@ -162,7 +223,7 @@ TYPED_TEST(FlatFaces, EndWhereTheirPiecesEnd) {
 }
 
 /// Two floors of one height that a body spans, and a step between them that is as high as the body is deep.
-TYPED_TEST(FlatFaces, OfOneHeightAreToldFromStepsBetweenThem) {
+TYPED_TEST(WholeFaces, OfOneHeightAreToldFromStepsBetweenThem) {
   using T = TypeParam;
   const Shape<T> box = Box<T>({2, 1, 1});
   const auto tile = [](T x, T top) { return Placed<T>{Box<T>({T(0.5), 1, 2}), {{x, top - T(0.5), T(0)}, {}}}; };
