@@ -5,10 +5,11 @@
 // A body stands on a floor, about two thousandths deep, and leans by up to two milliradians about a horizontal axis
 // that is drawn anew in every frame, as under a solver; it does not travel. A row is a floor and a body: in how many
 // of the frames the set of feature numbers differs from the frame before, the fewest and the most points of a frame,
-// in how many frames two points of one manifold share a number, and in how many there is more than one manifold.
-// Asked with `contact_margin`, in single precision. A box on a box, and on a half-space, is what the others are held
-// against.
+// in how many frames two points of one manifold share a number, in how many there is more than one manifold, and how
+// long the contacts of a frame take (the median). Asked with `contact_margin`, in single precision. A box on a box, and
+// on a half-space, is what the others are held against.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <regex>
@@ -70,12 +71,12 @@ Compound<float> boxes(float cell) {
 std::vector<Named> floors() {
   std::vector<Named> all{{"half-space", HalfSpace<float>()},
                          {"box", Compound<float>({{Box<float>({6, 1, 6}), {{0, -0.5f, 0}, {}}}})}};
-  for (const float cell : {3.f, 1.f, 0.37f, 0.11f}) {
+  for (const float cell : {3.f, 1.f, 0.37f, 0.11f, 0.05f}) {
     char name[32];
     std::snprintf(name, sizeof name, "mesh %.2f", static_cast<double>(cell));
     all.push_back({name, flat_mesh(cell)});
   }
-  for (const float cell : {1.f, 0.37f}) {
+  for (const float cell : {1.f, 0.37f, 0.11f}) {
     char name[32];
     std::snprintf(name, sizeof name, "field %.2f", static_cast<double>(cell));
     all.push_back({name, flat_field(cell)});
@@ -105,6 +106,7 @@ std::vector<Standing> bodies() {
 
 struct Row {
   std::size_t changes = 0, repeats = 0, split = 0, fewest = ~std::size_t{0}, most = 0;
+  std::vector<double> microseconds;  ///< of each frame
 };
 
 Row measure(const Shapef& floor, const Standing& body, std::size_t frames) {
@@ -121,7 +123,10 @@ Row measure(const Shapef& floor, const Standing& body, std::size_t frames) {
     const auto deep = static_cast<float>(depth * random.number(0.9, 1.1));
     const Posef pose{{0.13f, body.height - deep, 0.07f}, normalized(tilt * body.turn)};
     manifolds.clear();
+    const auto before = std::chrono::steady_clock::now();
     contacts(floor, Posef{}, body.shape, pose, margin, manifolds);
+    const auto passed = std::chrono::steady_clock::now() - before;
+    row.microseconds.push_back(std::chrono::duration<double, std::micro>(passed).count());
     std::vector<std::uint32_t> ids;
     bool repeats = false;
     for (const Manifold<float>& manifold : manifolds) {
@@ -149,15 +154,17 @@ double percent(std::size_t part, std::size_t whole) {
 void run(std::size_t frames, const std::string& filter) {
   const std::regex wanted(filter);
   std::printf(
-      "| floor | body | frames that change, %% | points | frames with a repeated number, %% | in parts, %% |\n");
-  std::printf("|---|---|---|---|---|---|\n");
+      "| floor | body | frames that change, %% | points | frames with a repeated number, %% | in parts, %% | µs |\n");
+  std::printf("|---|---|---|---|---|---|---|\n");
   for (const Named& floor : floors())
     for (const Standing& body : bodies()) {
       if (!std::regex_search(floor.name + "/" + body.name, wanted)) continue;
-      const Row row = measure(floor.shape, body, frames);
-      std::printf("| %s | %s | %.2f | %zu to %zu | %.1f | %.1f |\n", floor.name.c_str(), body.name.c_str(),
+      Row row = measure(floor.shape, body, frames);
+      const auto middle = row.microseconds.begin() + static_cast<std::ptrdiff_t>(frames / 2);
+      std::nth_element(row.microseconds.begin(), middle, row.microseconds.end());
+      std::printf("| %s | %s | %.2f | %zu to %zu | %.1f | %.1f | %.1f |\n", floor.name.c_str(), body.name.c_str(),
                   percent(row.changes, frames - 1), row.fewest, row.most, percent(row.repeats, frames),
-                  percent(row.split, frames));
+                  percent(row.split, frames), *middle);
     }
 }
 
