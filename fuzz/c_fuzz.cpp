@@ -48,6 +48,7 @@ class Bytes {
     return byte() < 8 ? v : v < 0 ? -v : v;
   }
   GrazeVec3d vector() { return {number(), number(), number()}; }
+  GrazeVec2d vector2() { return {number(), number()}; }
   GrazePosed pose() {
     GrazePosed p = graze_pose_turned_d(vector(), {0.6, 0, 0.8}, number());
     if (byte() < 4) p.rotation = {number(), number(), number(), number()};
@@ -552,7 +553,12 @@ struct Calls {
                                          in.choice<GrazeSides>(2), &made);
       break;
     case 6: status = graze_plane_shape_half_plane_d(&made); break;
-    case 7: status = graze_plane_shape_rounded_d(plane_shape(), in.length(), &made); break;
+    case 7: {
+      const GrazePose2d pose = in.pose2();
+      status = in.byte() < 128 ? graze_plane_shape_rounded_d(plane_shape(), in.length(), &made)
+                               : graze_plane_shape_swept_d(plane_shape(), in.maybe(&pose), in.vector2(), &made);
+      break;
+    }
     default: {
       const GrazePlaneChildd children[2] = {{plane_shape(), in.pose2()}, {plane_shape(), in.pose2()}};
       status = graze_plane_shape_compound_d(children, 0, in.byte() % 3, &made);
@@ -567,6 +573,13 @@ struct Calls {
     GrazePlaneClosestd closest;
     told(graze_plane_overlap_d(a, in.maybe(&pose_a), b, in.maybe(&pose_b), in.maybe(&yes)));
     if (told(graze_plane_distance_d(a, &pose_a, b, &pose_b, in.maybe(&d)))) require(d.certainty <= GRAZE_UNBOUNDED);
+    told(graze_plane_distance_up_to_d(a, &pose_a, b, in.maybe(&pose_b), in.length(), in.maybe(&yes), in.maybe(&d)));
+    told(graze_plane_within_d(a, in.maybe(&pose_a), b, &pose_b, in.length(), in.maybe(&yes)));
+    const GrazePlanePieceDistanced* pieces;
+    GrazeVec2d furthest;
+    std::size_t count = 0;
+    told(graze_plane_near_pieces_d(a, &pose_a, b, &pose_b, in.length(), in.maybe(buffer), in.maybe(&pieces), &count));
+    told(graze_plane_shape_support_d(a, in.vector2(), in.maybe(&furthest)));
     told(graze_plane_contacts_d(a, &pose_a, b, &pose_b, in.length(), in.maybe(buffer), in.maybe(&contacts)));
     const std::size_t most = in.byte();
     if (told(graze_plane_contacts_reduced_d(a, &pose_a, b, &pose_b, in.length(), most, in.maybe(buffer), &contacts)))
@@ -578,7 +591,6 @@ struct Calls {
     const GrazePlaneRayHitd* hits;
     const GrazePlaneCastHitd* casts;
     GrazePlaneMassPropertiesd mass;
-    std::size_t count = 0;
     told(graze_plane_shape_mass_properties_d(a, in.maybe(&mass)));
     told(graze_plane_raycast_any_d(b, in.maybe(&pose_b), &ray, in.length(), in.maybe(&yes)));
     told(graze_plane_raycast_all_d(b, &pose_b, in.maybe(&ray), in.length(), in.maybe(buffer), &hits, &count));
@@ -643,6 +655,11 @@ struct Calls {
     const GrazePlaneRayd ray = {{in.number(), in.number()}, {in.number(), in.number()}};
     told(graze_plane_world_raycast_all_d(plane_world, in.maybe(&ray), in.length(), nullptr, in.maybe(buffer), &hits,
                                          &count));
+    GrazePose2d end;
+    GrazeVec2d left;
+    const GrazePlaneBodyCastHitd* touched;
+    told(graze_plane_world_slide_d(plane_world, s, &pose, in.vector2(), in.byte() % 9, nullptr, in.maybe(buffer), &end,
+                                   in.maybe(&left), in.maybe(&touched), &count));
     GrazePlaneBodyd known;
     if (told(graze_plane_world_body_d(plane_world, body(plane_bodies), in.maybe(&known))))
       graze_plane_shape_release_d(known.shape);

@@ -1,4 +1,5 @@
 // The C interface for float. Its text is written once, with names in place of types: see the files that are included.
+#include "bounded_convex.hpp"
 #include "broad_phase_kinds.hpp"
 #include "c/callbacks.hpp"
 #include "c/capture.hpp"

@@ -1335,12 +1335,19 @@ GRAZE_C_API GrazeStatus graze_plane_shape_user_d(GrazeVec2d (*support)(const voi
                                                  void (*release)(void *user), void *user, GrazePlaneShaped **shape);
 GRAZE_C_API GrazeStatus graze_plane_shape_rounded_d(const GrazePlaneShaped *shape, double rounding,
                                                     GrazePlaneShaped **rounded);
+// The region that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion` without turning
+// (graze/plane/swept.hpp).
+GRAZE_C_API GrazeStatus graze_plane_shape_swept_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                  GrazeVec2d motion, GrazePlaneShaped **swept);
 GRAZE_C_API void graze_plane_shape_retain_d(const GrazePlaneShaped *shape);
 GRAZE_C_API void graze_plane_shape_release_d(const GrazePlaneShaped *shape);
 GRAZE_C_API GrazeStatus graze_plane_shape_kind_d(const GrazePlaneShaped *shape, GrazePlaneShapeKind *kind);
 GRAZE_C_API GrazeStatus graze_plane_shape_rounding_d(const GrazePlaneShaped *shape, double *rounding);
 GRAZE_C_API GrazeStatus graze_plane_shape_bounds_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                    GrazeAabb2d *bounds);
+// The point of a bounded convex shape furthest along `direction`, in the shape's frame (graze/plane/support.hpp).
+GRAZE_C_API GrazeStatus graze_plane_shape_support_d(const GrazePlaneShaped *shape, GrazeVec2d direction,
+                                                    GrazeVec2d *point);
 
 // Properties of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 for shapes without.
 typedef struct GrazePlaneMassPropertiesd {
@@ -1365,6 +1372,13 @@ typedef struct GrazePlaneClosestd {
   uint8_t certainty;
   double error;
 } GrazePlaneClosestd;
+
+// Two convex pieces and their distance: the child of the outermost compound, the piece of a polygon or the segment of a
+// chain, else 0.
+typedef struct GrazePlanePieceDistanced {
+  uint32_t piece_a, piece_b;
+  GrazePlaneDistanced distance;
+} GrazePlanePieceDistanced;
 
 typedef struct GrazePlaneContactPointd {
   GrazeVec2d a, b;
@@ -1433,6 +1447,17 @@ GRAZE_C_API GrazeStatus graze_plane_overlap_d(const GrazePlaneShaped *a, const G
 GRAZE_C_API GrazeStatus graze_plane_distance_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
                                                const GrazePlaneShaped *b, const GrazePose2d *pose_b,
                                                GrazePlaneDistanced *distance);
+// Shapes no further apart than a limit, as in space (graze/plane/proximity.hpp).
+GRAZE_C_API GrazeStatus graze_plane_distance_up_to_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                                     const GrazePlaneShaped *b, const GrazePose2d *pose_b, double limit,
+                                                     bool *found, GrazePlaneDistanced *distance);
+GRAZE_C_API GrazeStatus graze_plane_within_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                             const GrazePlaneShaped *b, const GrazePose2d *pose_b, double limit,
+                                             bool *within);
+GRAZE_C_API GrazeStatus graze_plane_near_pieces_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                                  const GrazePlaneShaped *b, const GrazePose2d *pose_b, double margin,
+                                                  GrazeBufferd *buffer, const GrazePlanePieceDistanced **pieces,
+                                                  size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_contacts_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
                                                const GrazePlaneShaped *b, const GrazePose2d *pose_b, double margin,
                                                GrazeBufferd *buffer, GrazePlaneContactsd *contacts);
@@ -1725,6 +1750,12 @@ GRAZE_C_API GrazeStatus graze_plane_world_cast_all_d(const GrazePlaneWorldd *wor
                                                      double duration, const GrazeQueryFilter *filter,
                                                      GrazeSeparating separating, GrazeBufferd *buffer,
                                                      const GrazePlaneBodyCastHitd **hits, size_t *count);
+// Moves a shape by `motion` as in space, along the outlines that it touches (graze/plane/slide.hpp).
+GRAZE_C_API GrazeStatus graze_plane_world_slide_d(const GrazePlaneWorldd *world, const GrazePlaneShaped *shape,
+                                                  const GrazePose2d *pose, GrazeVec2d motion, int casts,
+                                                  const GrazeQueryFilter *filter, GrazeBufferd *buffer,
+                                                  GrazePose2d *end, GrazeVec2d *left,
+                                                  const GrazePlaneBodyCastHitd **touched, size_t *count);
 // Bytes that are held, without the shapes' own data.
 GRAZE_C_API GrazeStatus graze_plane_world_memory_d(const GrazePlaneWorldd *world, size_t *bytes);
 
@@ -2625,12 +2656,16 @@ GRAZE_C_API GrazeStatus graze_plane_shape_user_f(GrazeVec2f (*support)(const voi
                                                  void (*release)(void *user), void *user, GrazePlaneShapef **shape);
 GRAZE_C_API GrazeStatus graze_plane_shape_rounded_f(const GrazePlaneShapef *shape, float rounding,
                                                     GrazePlaneShapef **rounded);
+GRAZE_C_API GrazeStatus graze_plane_shape_swept_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                  GrazeVec2f motion, GrazePlaneShapef **swept);
 GRAZE_C_API void graze_plane_shape_retain_f(const GrazePlaneShapef *shape);
 GRAZE_C_API void graze_plane_shape_release_f(const GrazePlaneShapef *shape);
 GRAZE_C_API GrazeStatus graze_plane_shape_kind_f(const GrazePlaneShapef *shape, GrazePlaneShapeKind *kind);
 GRAZE_C_API GrazeStatus graze_plane_shape_rounding_f(const GrazePlaneShapef *shape, float *rounding);
 GRAZE_C_API GrazeStatus graze_plane_shape_bounds_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                                    GrazeAabb2f *bounds);
+GRAZE_C_API GrazeStatus graze_plane_shape_support_f(const GrazePlaneShapef *shape, GrazeVec2f direction,
+                                                    GrazeVec2f *point);
 
 typedef struct GrazePlaneMassPropertiesf {
   float area;
@@ -2654,6 +2689,11 @@ typedef struct GrazePlaneClosestf {
   uint8_t certainty;
   float error;
 } GrazePlaneClosestf;
+
+typedef struct GrazePlanePieceDistancef {
+  uint32_t piece_a, piece_b;
+  GrazePlaneDistancef distance;
+} GrazePlanePieceDistancef;
 
 typedef struct GrazePlaneContactPointf {
   GrazeVec2f a, b;
@@ -2722,6 +2762,16 @@ GRAZE_C_API GrazeStatus graze_plane_overlap_f(const GrazePlaneShapef *a, const G
 GRAZE_C_API GrazeStatus graze_plane_distance_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
                                                const GrazePlaneShapef *b, const GrazePose2f *pose_b,
                                                GrazePlaneDistancef *distance);
+GRAZE_C_API GrazeStatus graze_plane_distance_up_to_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                                     const GrazePlaneShapef *b, const GrazePose2f *pose_b, float limit,
+                                                     bool *found, GrazePlaneDistancef *distance);
+GRAZE_C_API GrazeStatus graze_plane_within_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                             const GrazePlaneShapef *b, const GrazePose2f *pose_b, float limit,
+                                             bool *within);
+GRAZE_C_API GrazeStatus graze_plane_near_pieces_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                                  const GrazePlaneShapef *b, const GrazePose2f *pose_b, float margin,
+                                                  GrazeBufferf *buffer, const GrazePlanePieceDistancef **pieces,
+                                                  size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_contacts_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
                                                const GrazePlaneShapef *b, const GrazePose2f *pose_b, float margin,
                                                GrazeBufferf *buffer, GrazePlaneContactsf *contacts);
@@ -2981,6 +3031,11 @@ GRAZE_C_API GrazeStatus graze_plane_world_cast_all_f(const GrazePlaneWorldf *wor
                                                      float duration, const GrazeQueryFilter *filter,
                                                      GrazeSeparating separating, GrazeBufferf *buffer,
                                                      const GrazePlaneBodyCastHitf **hits, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_slide_f(const GrazePlaneWorldf *world, const GrazePlaneShapef *shape,
+                                                  const GrazePose2f *pose, GrazeVec2f motion, int casts,
+                                                  const GrazeQueryFilter *filter, GrazeBufferf *buffer,
+                                                  GrazePose2f *end, GrazeVec2f *left,
+                                                  const GrazePlaneBodyCastHitf **touched, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_world_memory_f(const GrazePlaneWorldf *world, size_t *bytes);
 
 typedef struct GrazePlaneSimulationf GrazePlaneSimulationf;

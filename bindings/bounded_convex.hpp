@@ -1,0 +1,30 @@
+// Shapes with support points, of either space: what a language's `support` takes.
+//
+// Guarantee: the shape itself. Throws `InvalidValue` for a shape that is not convex or reaches to infinity, for which the
+// C++ functions return the origin.
+#pragma once
+
+#include <type_traits>
+
+#include "graze/plane/shape.hpp"
+#include "graze/shape.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+template <class T>
+const Shape<T>& bounded_convex(const Shape<T>& shape) {
+  const bool bounded = shape.visit([](const auto& c) { return BoundedConvex<std::decay_t<decltype(c)>>; });
+  if (!bounded) validate::fail("shape", "a bounded convex shape", shape.name());
+  return shape;
+}
+
+template <class T>
+const plane::Shape<T>& bounded_convex(const plane::Shape<T>& shape) {
+  const bool bounded = !shape.template as<plane::HalfPlane<T>>() && !shape.template as<plane::Polygon<T>>() &&
+                       !shape.template as<plane::Chain<T>>() && !shape.template as<plane::Compound<T>>();
+  if (!bounded) validate::fail("shape", "a bounded convex shape", shape.name());
+  return shape;
+}
+
+}  // namespace graze
