@@ -81,6 +81,50 @@ def test_questions_agree(a, b):
 
 
 @pytest.mark.parametrize("a,b", PAIRS)
+def test_questions_up_to_a_limit_agree_with_the_distance(a, b):
+    for row in random_rows(np.random.default_rng(PAIRS.index((a, b))), 8, 3.0):
+        d = plane.distance(SHAPES[a], None, SHAPES[b], row)
+        near = plane.distance_up_to(SHAPES[a], None, SHAPES[b], row, 0.75)
+        assert plane.within(SHAPES[a], None, SHAPES[b], row, 0.75) == (d.distance <= 0.75) == (near is not None)
+        assert near is None or near.distance == d.distance and near.normal.tolist() == d.normal.tolist()
+
+
+def test_near_pieces_are_the_children_that_are_near():
+    children = [(plane.Circle(0.5), (i % 4, i // 4)) for i in range(12)]
+    probe = plane.Capsule(1.0, 0.3)
+    for row in random_rows(np.random.default_rng(11), 20, 3.0):
+        alone = {i: plane.distance(c, at, probe, row).distance for i, (c, at) in enumerate(children)}
+        found = plane.near_pieces(plane.Compound(children), None, probe, row, 0.25)
+        assert [(i, 0) for i, d in alone.items() if d <= 0.25] == [(i, j) for i, j, _ in found]
+        assert [d.distance for _, _, d in found] == pytest.approx([alone[i] for i, _, _ in found], abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["circle", "capsule", "tapered", "box", "segment", "convex", "ellipse", "user"])
+def test_a_swept_shape_is_the_shape_at_every_time(name):
+    shape, probe, steps = SHAPES[name], plane.Circle(0.1), 400
+    rng = np.random.default_rng(12)
+    for row, there, motion in zip(random_rows(rng, 5, 1.0), rng.uniform(-4, 4, (5, 2)), rng.uniform(-3, 3, (5, 2))):
+        path = shape.swept(row, motion)
+        times = np.arange(steps + 1) / steps
+        least = min(plane.distance(shape, row + [*(t * motion), 0, 0], probe, there).distance for t in times)
+        if least > 0:  # between two times the distance changes by no more than the way between them
+            found = plane.distance(path, row, probe, there).distance
+            assert least - np.linalg.norm(motion) / steps <= found <= least + 1e-9
+        direction = rng.normal(size=2)
+        local = plane.Pose.from_matrix(matrix_of(row)).inverse() @ (row[:2] + motion)
+        furthest = max(shape.support(direction) @ direction, (shape.support(direction) + local) @ direction)
+        assert path.support(direction) @ direction == pytest.approx(furthest, abs=1e-12)
+        assert np.all(np.array(path.bounds(row)[0]) <= np.minimum(shape.bounds(row)[0], shape.bounds(row)[0] + motion) + 1e-9)
+
+
+def test_a_swept_shape_without_a_support_function_in_python_is_not_pickled():
+    with pytest.raises(TypeError, match="a swept shape is not pickled"):
+        pickle.dumps(SHAPES["ellipse"].swept(None, (1, 0)))
+    path = pickle.loads(pickle.dumps(SHAPES["circle"].swept(None, (1, 0))))
+    assert path.b.tolist() == [1, 0] and path.rounding == 0.5
+
+
+@pytest.mark.parametrize("a,b", PAIRS)
 def test_batch_is_each_alone(a, b):
     rows = random_rows(np.random.default_rng(PAIRS.index((a, b))), 20, 2.0)
     here = plane.Pose((0.1, 0.2), 0.3)
@@ -158,6 +202,10 @@ def test_pickle_and_repr(name):
         (lambda: plane.Pose((0, float("inf"))), "translation[1]"),
         (lambda: plane.overlap(plane.Circle(1), np.diag([2.0, 2.0, 1.0]), plane.Circle(1), None), "pose"),
         (lambda: plane.contacts(plane.Circle(1), None, plane.Circle(1), None, margin=-1), "margin"),
+        (lambda: plane.within(plane.Circle(1), None, plane.Circle(1), None, -1), "limit: expected a number >= 0, got -1"),
+        (lambda: SHAPES["chain"].support((1, 0)), "shape: expected a bounded convex shape"),
+        (lambda: SHAPES["half_plane"].swept(None, (1, 0)), "shape: expected a bounded convex shape"),
+        (lambda: plane.Circle(1).swept(None, (float("nan"), 0)), "motion[0]"),
         (lambda: plane.batch.overlap(plane.Circle(1), None, plane.Circle(1), np.ones((2, 4))), "poses_b[0].rotation"),
         (lambda: plane.batch.overlap(plane.Circle(1), None, plane.Circle(1), None, pairs=[(0, 7)]), "pairs"),
     ],

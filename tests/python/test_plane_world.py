@@ -88,6 +88,24 @@ def test_questions_to_a_world_are_those_to_each_body():
     assert world.overlaps_any(probe, rows[0][:2]) and not world.overlaps_any(probe, (99, 0))
 
 
+def test_a_shape_slides_along_what_is_in_its_way():
+    world = plane.World()
+    floor = world.add(plane.HalfPlane(), fixed=True)
+    wall = world.add(plane.Box((1, 4)), (4, 0), fixed=True)
+    ball = plane.Circle(0.5)
+    end, left, touched = world.slide(ball, (0, 2), (2, -4))
+    np.testing.assert_allclose(end.translation, (2, 0.5), atol=1e-5)
+    assert [body for body, _ in touched] == [floor]
+    end, left, touched = world.slide(ball, (0, 2), (9, -4))  # along the wall into the corner
+    np.testing.assert_allclose(end.translation, (3, 0.5), atol=1e-5)
+    assert [body for body, _ in touched][:2] == [wall, floor]
+    end, left, touched = world.slide(ball, (0, 2), (9, -4), casts=1)
+    assert len(touched) == 1 and np.linalg.norm(left) > 1
+    for motion, casts, what in [((np.nan, 0), 6, "motion"), ((1, 0), 0, "casts: expected a number >= 1, got 0")]:
+        with pytest.raises(ValueError, match=what):
+            world.slide(ball, (0, 2), motion, casts=casts)
+
+
 def test_events_impacts_filters_and_triggers():
     world = plane.World()
     wall = world.add(plane.Box((0.1, 5)), fixed=True, filter=graze.Filter(category=2))

@@ -109,6 +109,21 @@ def test_rays_and_casts():
     assert blow.t == pytest.approx(0.5, abs=1e-6)
 
 
+@pytest.mark.parametrize("name", ["sphere", "capsule", "tapered", "box", "cylinder", "ellipsoid", "hull"])
+def test_a_swept_shape_is_the_shape_at_every_time(name):
+    shape, probe, steps = SHAPES[name], graze.Sphere(0.1), 400
+    rng = np.random.default_rng(12)
+    for row, there, motion in zip(random_rows(rng, 5, 1.0), rng.uniform(-4, 4, (5, 3)), rng.uniform(-3, 3, (5, 3))):
+        path = shape.swept(row, motion)
+        times = np.arange(steps + 1) / steps
+        least = min(graze.distance(shape, row + [*(t * motion), 0, 0, 0, 0], probe, there).distance for t in times)
+        if least > 0:  # between two times the distance changes by no more than the way between them
+            found = graze.distance(path, row, probe, there).distance
+            assert least - np.linalg.norm(motion) / steps <= found <= least + 1e-9
+    with pytest.raises(TypeError, match="a swept shape is not pickled"):
+        pickle.dumps(path)
+
+
 def test_an_explanation_changes_no_bit():
     a, b = SHAPES["box"], SHAPES["ellipsoid"]
     for row in random_rows(np.random.default_rng(5), 20, 1.5):
@@ -145,6 +160,8 @@ def test_pickle_and_repr(name):
         (lambda: graze.Mesh(CUBE, [(0, 1, 8)]), r"triangles\[0\]"),
         (lambda: graze.overlap(graze.Sphere(1), (float("inf"), 0, 0), graze.Sphere(1), None), "translation"),
         (lambda: graze.contacts(graze.Sphere(1), None, graze.Sphere(1), None, margin=-1), "margin"),
+        (lambda: SHAPES["mesh"].swept(None, (1, 0, 0)), "shape: expected a bounded convex shape"),
+        (lambda: graze.Sphere(1).swept(None, (math.nan, 0, 0)), r"motion\[0\]"),
     ],
 )
 def test_errors_name_the_value(call, message):

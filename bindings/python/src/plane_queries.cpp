@@ -74,6 +74,39 @@ Negative where they overlap: minus the length of the shortest translation that s
 (1.5, array([1., 0.]))
 )");
   m.def(
+      "distance_up_to",
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double limit) {
+        return object_or_none(distance_up_to(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit")));
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
+      "The distance of shapes no further apart than `limit` >= 0, else None; costs what lies within the limit.");
+  m.def(
+      "within",
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double limit) {
+        return within(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit"));
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
+      "Whether two shapes are no further apart than `limit` >= 0.");
+  m.def(
+      "near_pieces",
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double margin) {
+        std::vector<plane::PieceDistance<double>> pieces;
+        near_pieces(a, pose_a.value, b, pose_b.value, checked_limit(margin, "margin"), pieces);
+        py::list found;
+        for (const auto& piece : pieces) found.append(py::make_tuple(piece.piece_a, piece.piece_b, piece.distance));
+        return found;
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin"),
+      R"(All pairs of convex pieces within `margin`: (piece of a, piece of b, Distance).
+
+Pieces are numbered as those of a manifold: children, pieces of a polygon, segments of a chain.
+
+>>> from graze import plane
+>>> steps = plane.Chain([(0, 0), (1, 0), (1, 1), (2, 1)])
+>>> [segment for segment, _, _ in plane.near_pieces(steps, None, plane.Circle(0.1), (1.2, 0.2), 0.15)]
+[1]
+)");
+  m.def(
       "contacts",
       [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double margin,
          const py::object& trace) {

@@ -1,6 +1,7 @@
 // The shapes of the plane as Python classes.
 #include <pybind11/stl.h>
 
+#include "bounded_convex.hpp"
 #include "plane_convert.hpp"
 
 namespace graze::python {
@@ -161,7 +162,10 @@ py::class_<Class, Shaped> shape_class(py::module_& m, const char* name, const ch
       .def("__reduce__", [name](const Class& shape) {
         const py::module_ functools = py::module_::import("functools");
         const py::object make = py::module_::import("graze.plane").attr(name);
-        return py::make_tuple(functools.attr("partial")(make, **all_arguments(shape)), py::tuple());
+        const py::dict given = all_arguments(shape);
+        if (std::is_same_v<Class, Of<UserConvex>> && !given.contains("support"))
+          throw py::type_error("UserConvex: expected a support function in Python; a swept shape is not pickled");
+        return py::make_tuple(functools.attr("partial")(make, **given), py::tuple());
       });
   return type;
 }
@@ -251,6 +255,13 @@ the first. one_sided: contacts push to the right of its segments alone.)")
       .def_property_readonly("closed", [](const OfChain& s) { return s.concrete().closed(); });
 }
 
+/// The object of a shape that the library has made of one convex shape.
+py::object object_of_convex(const Shaped& shape) {
+  if (shape.as<Segment>()) return py::cast(Of<Segment>(shape));
+  if (shape.as<ConvexPolygon>()) return py::cast(Of<ConvexPolygon>(shape));
+  return py::cast(Of<UserConvex>(shape));
+}
+
 /// A compound, and the Python objects of its children.
 struct OfCompound : Of<Compound> {
   OfCompound(std::vector<plane::Placed<double>> placed, py::list given)
@@ -296,7 +307,27 @@ void add_plane_shapes(py::module_& m) {
             return py::make_tuple(array_of(box.lower), array_of(box.upper));
           },
           py::arg("pose") = py::none(),
-          "The lower and upper corner of a rectangle about the shape; not less than the true one.");
+          "The lower and upper corner of a rectangle about the shape; not less than the true one.")
+      .def(
+          "support",
+          [](const Shaped& shape, const Vector2& direction) {
+            return array_of(support(bounded_convex(shape), checked(direction.value, "direction")));
+          },
+          py::arg("direction"), "The point of a bounded convex shape furthest along a direction in its frame.")
+      .def(
+          "swept",
+          [](const Shaped& shape, const Placement2& pose, const Vector2& motion) {
+            return object_of_convex(swept(shape, pose.value, motion.value));
+          },
+          py::arg("pose"), py::arg("motion"),
+          R"(The region that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion`.
+
+Without turning; the result stands at the same pose. Raises ValueError.
+
+>>> from graze import plane
+>>> plane.Circle(0.5).swept((3, 0), (2, 0))
+graze.plane.Segment(a=(0.0, 0.0), b=(2.0, 0.0), rounding=0.5)
+)");
   add_round(m);
   add_flat(m);
   add_outlined(m);

@@ -8,11 +8,11 @@ namespace graze::python {
 
 plane::Velocity<double> PlaneWords::velocity(const Vector2& linear, double angular) {
   if (const char* expectation = validate::fault_of_coordinate(angular)) validate::fail("angular", expectation, angular);
-  return {checked(linear.value, "linear"), angular};
+  return {checked(linear, "linear"), angular};
 }
 
 plane::Pose2d PlaneWords::pose_of_row(const double* p) {
-  return {checked({p[0], p[1]}, "translation"), unit_rotation(p[2], p[3], "rotation")};
+  return {python::checked({p[0], p[1]}, "translation"), unit_rotation(p[2], p[3], "rotation")};
 }
 
 void add_plane_world(py::module_& m) {

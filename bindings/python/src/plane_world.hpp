@@ -45,11 +45,12 @@ struct PlaneWords {
   static const plane::Vec2d& value_of(const Vector2& v) { return v.value; }
   static double value_of(double turning) { return turning; }
   static py::array_t<double> object_of(const plane::Vec2d& v) { return array_of(v); }
+  static plane::Vec2d checked(const Vector2& v, const char* name) { return python::checked(v.value, name); }
   static py::float_ object_of(double turning) { return py::float_(turning); }
   static plane::Velocity<double> velocity(const Vector2& linear, double angular);
   /// A pose from a row. Throws `InvalidValue` that names the part.
   static plane::Pose2d pose_of_row(const double* p);
-  static plane::Vec2d vector_of_row(const double* p) { return checked({p[0], p[1]}, "impulse"); }
+  static plane::Vec2d vector_of_row(const double* p) { return python::checked({p[0], p[1]}, "impulse"); }
 };
 
 }  // namespace graze::python

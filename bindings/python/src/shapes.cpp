@@ -3,6 +3,8 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
+#include "bounded_convex.hpp"
+
 namespace graze::python {
 
 namespace {
@@ -184,7 +186,10 @@ py::class_<Of<C>, Shaped> shape_class(py::module_& m, const char* name, const ch
            })
       .def("__reduce__", [m, name](const Of<C>& shape) {
         const py::object make = py::module_::import("graze").attr("_make_shape");
-        return py::make_tuple(make, py::make_tuple(name, all_arguments(shape)));
+        const py::dict given = all_arguments(shape);
+        if (std::is_same_v<C, UserConvex<double>> && !given.contains("support"))
+          throw py::type_error("UserConvex: expected a support function in Python; a swept shape is not pickled");
+        return py::make_tuple(make, py::make_tuple(name, given));
       });
   return type;
 }
@@ -358,11 +363,24 @@ void add_shapes(py::module_& m) {
       .def(
           "support",
           [](const Shaped& shape, const Vector& direction) {
-            if (!shape.convex() || shape.as<HalfSpace<double>>())
-              validate::fail("shape", "a bounded convex shape", shape.name());
-            return array_of(support(shape, validate::point(direction.value, "direction")));
+            return array_of(support(bounded_convex(shape), validate::point(direction.value, "direction")));
           },
           py::arg("direction"), "The point of a bounded convex shape furthest along a direction in its frame.")
+      .def(
+          "swept",
+          [](const Shaped& shape, const Placement& pose, const Vector& motion) {
+            return object_of(swept(shape, pose.value, motion.value));
+          },
+          py::arg("pose"), py::arg("motion"),
+          R"(The volume that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion`.
+
+Without turning; the result stands at the same pose. Raises ValueError.
+
+>>> import graze
+>>> path = graze.Sphere(0.5).swept((3, 0, 0), (2, 0, 0))
+>>> graze.distance(path, (3, 0, 0), graze.Sphere(0.5), (4, 2, 0)).distance
+1.0
+)")
       .def(
           "mass_properties",
           [](const Shaped& shape) {

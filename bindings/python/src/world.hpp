@@ -98,6 +98,7 @@ struct SpaceWords {
   static const Shaped& value_of(const Shaped& shape) { return shape; }
   static const Vec3d& value_of(const python::Vector& v) { return v.value; }
   static py::array_t<double> object_of(const Vec3d& v) { return array_of(v); }
+  static Vec3d checked(const python::Vector& v, const char* name) { return validate::point(v.value, name); }
   static Velocity<double> velocity(const Vector& linear, const Turning& angular) {
     return {validate::point(linear.value, "linear"), validate::point(angular.value, "angular")};
   }

@@ -375,7 +375,7 @@ ValueError for a duration that is negative or not finite.)");
             py::arg("angular") = Turning{}, py::arg("category") = all_bits, py::arg("mask") = all_bits,
             py::arg("triggers") = false,
             "All bodies that a moving shape meets, each where it is first met, in the order of time.");
-    if constexpr (Words::vector_size == 3) add_slide(view);
+    add_slide(view);
   }
 
   static void add_slide(ViewClass& view) {
@@ -384,8 +384,8 @@ ValueError for a duration that is negative or not finite.)");
         [](const View& w, const Shape& shape, const Placement& pose, const Vector& motion, int casts,
            std::uint64_t category, std::uint64_t mask, bool triggers) {
           if (casts < 1) validate::fail("casts", "a number >= 1", casts);
-          const auto found = slide(Words::value_of(shape), pose.value, validate::point(motion.value, "motion"),
-                                   *w.read(), query_filter(category, mask, triggers), SlideOptions{casts});
+          const auto found = slide(Words::value_of(shape), pose.value, Words::checked(motion, "motion"), *w.read(),
+                                   query_filter(category, mask, triggers), SlideOptions{casts});
           return py::make_tuple(found.pose, Words::object_of(found.left), pairs_of(found.touched));
         },
         py::arg("shape"), py::arg("pose"), py::arg("motion"), py::arg("casts") = SlideOptions{}.iterations,
