@@ -252,6 +252,9 @@ struct Calls {
     GrazeClosestd closest;
     told(graze_shape_bounds_d(s, in.maybe(&pose), in.maybe(&bounds)));
     told(graze_shape_support_d(s, in.vector(), in.maybe(&point)));
+    GrazePolygons polygons;
+    if (told(graze_shape_tessellate_d(s, in.maybe(&pose), in.vector(), in.length(), in.maybe(buffer), &polygons)))
+      require(polygons.loop_count == 0 || polygons.corners[polygons.ends[0] - 1] < polygons.point_count);
     // Of a shape known by its support alone they cost the hull of 20,000 points.
     if (masses < 1 && in.byte() < 64) ++masses, told(graze_shape_mass_properties_d(s, in.maybe(&mass)));
     told(graze_shape_kind_d(s, in.maybe(&kind)));
@@ -485,6 +488,13 @@ struct Calls {
     told(graze_world_events_d(world, &events, in.maybe(&count)));
     told(graze_world_overlapping_d(world, shape(), &pose, nullptr, buffer, in.maybe(&found), &count));
     told(graze_world_nearest_d(world, shape(), &pose, in.byte(), in.length(), nullptr, buffer, &distances, &count));
+    GrazePosed end;
+    GrazeVec3d left;
+    const GrazeBodyCastHitd* touched;
+    told(graze_world_slide_d(world, shape(), in.maybe(&pose), in.vector(), in.byte() % 9, nullptr, buffer, &end, &left,
+                             in.maybe(&touched), &count));
+    const GrazeVec3d away[] = {in.vector(), in.vector(), in.vector()};
+    told(graze_along_planes_d(in.vector(), in.maybe(away), 0, 3, in.maybe(&left)));
     GrazeBodyd known;
     if (told(graze_world_body_d(world, body(bodies), in.maybe(&known)))) graze_shape_release_d(known.shape);
   }
@@ -532,6 +542,14 @@ struct Calls {
     default: told(graze_simulation_step_d(in.maybe(simulation), in.byte() < 8 ? in.number() : 1.0 / 60));
     }
     told(graze_simulation_pose_d(simulation, body(simulated), in.maybe(&pose)));
+    const GrazeJointId* all;
+    std::size_t count = 0;
+    std::int32_t sub_steps = 0;
+    std::uint64_t hash = 0;
+    told(graze_simulation_sub_steps_d(simulation, body(simulated), in.maybe(&sub_steps)));
+    told(graze_simulation_state_hash_d(simulation, in.maybe(&hash)));
+    if (told(graze_simulation_joints_d(simulation, in.maybe(buffer), &all, &count)) && count > 0)
+      told(graze_simulation_joint_d(simulation, all[0], buffer, in.maybe(&joint)));
     const GrazeWorldd* borrowed;
     if (told(graze_simulation_world_d(simulation, in.maybe(&borrowed))))
       require(graze_world_update_d(const_cast<GrazeWorldd*>(borrowed), 0) == GRAZE_INVALID_VALUE);
@@ -580,6 +598,10 @@ struct Calls {
     std::size_t count = 0;
     told(graze_plane_near_pieces_d(a, &pose_a, b, &pose_b, in.length(), in.maybe(buffer), in.maybe(&pieces), &count));
     told(graze_plane_shape_support_d(a, in.vector2(), in.maybe(&furthest)));
+    const GrazeVec2d away[] = {in.vector2(), in.vector2()};
+    told(graze_plane_along_lines_d(in.vector2(), in.maybe(away), 0, 2, in.maybe(&furthest)));
+    GrazePolygons polygons;
+    told(graze_plane_shape_tessellate_d(a, &pose_a, in.vector2(), in.length(), buffer, in.maybe(&polygons)));
     told(graze_plane_contacts_d(a, &pose_a, b, &pose_b, in.length(), in.maybe(buffer), in.maybe(&contacts)));
     const std::size_t most = in.byte();
     if (told(graze_plane_contacts_reduced_d(a, &pose_a, b, &pose_b, in.length(), most, in.maybe(buffer), &contacts)))
@@ -714,6 +736,14 @@ struct Calls {
     default: told(graze_plane_simulation_step_d(in.maybe(plane_simulation), in.byte() < 8 ? in.number() : 1.0 / 60));
     }
     told(graze_plane_simulation_pose_d(plane_simulation, body(plane_simulated), in.maybe(&pose)));
+    const GrazeJointId* all;
+    std::size_t count = 0;
+    std::int32_t sub_steps = 0;
+    std::uint64_t hash = 0;
+    told(graze_plane_simulation_sub_steps_d(plane_simulation, body(plane_simulated), in.maybe(&sub_steps)));
+    told(graze_plane_simulation_state_hash_d(plane_simulation, in.maybe(&hash)));
+    if (told(graze_plane_simulation_joints_d(plane_simulation, in.maybe(buffer), &all, &count)) && count > 0)
+      told(graze_plane_simulation_joint_d(plane_simulation, all[0], buffer, in.maybe(&joint)));
     const GrazePlaneWorldd* borrowed;
     if (told(graze_plane_simulation_world_d(plane_simulation, in.maybe(&borrowed))))
       require(graze_plane_world_update_d(const_cast<GrazePlaneWorldd*>(borrowed), 0) == GRAZE_INVALID_VALUE);

@@ -430,6 +430,17 @@ GRAZE_C_API GrazeDebugDraw graze_debug_draw_default(void);
 // The colour of a meaning in the project's own pictures: red, green and blue, 0 to 255.
 GRAZE_C_API GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3]);
 
+// The faces of a shape as loops of points (graze/tessellate.hpp).
+typedef struct GrazePolygons {
+  const double *points;  // in the world, three numbers each; of the plane's shapes the third is 0
+  size_t point_count;
+  const uint32_t *corners;  // indices of points: the loops, contiguous, counter-clockwise seen from outside
+  const size_t *ends;       // of each loop among the corners
+  size_t loop_count;
+  bool smooth;  // edges come from the sampling, not from the shape
+  bool closed;  // there is an inside, so that faces seen from behind are hidden
+} GrazePolygons;
+
 // Draws the steps of a query: separating axes through the centre, the Minkowski difference B - A about the origin.
 GRAZE_C_API GrazeStatus graze_trace_draw(const GrazeTrace *trace, const GrazeDebugDraw *on);
 // Draws one step: an axis, an iteration of GJK, an expansion of EPA or a cut of a face, counted from 0 in this order.
@@ -1118,6 +1129,10 @@ GRAZE_C_API GrazeStatus graze_world_slide_d(const GrazeWorldd *world, const Graz
                                             GrazeVec3d motion, int casts, const GrazeQueryFilter *filter,
                                             GrazeBufferd *buffer, GrazePosed *end, GrazeVec3d *left,
                                             const GrazeBodyCastHitd **touched, size_t *count);
+// The part of a motion that planes leave: the nearest motion that leads into none of them. Their `normals` are unit and
+// point away from the obstacles. The cost grows as the cube of their number.
+GRAZE_C_API GrazeStatus graze_along_planes_d(GrazeVec3d motion, const GrazeVec3d *normals, size_t stride, size_t count,
+                                             GrazeVec3d *left);
 // Bytes that are held, without the shapes' own data.
 GRAZE_C_API GrazeStatus graze_world_memory_d(const GrazeWorldd *world, size_t *bytes);
 
@@ -1265,6 +1280,14 @@ GRAZE_C_API GrazeStatus graze_simulation_angular_momentum_d(const GrazeSimulatio
 // The mass; infinite for fixed and kinematic bodies.
 GRAZE_C_API GrazeStatus graze_simulation_mass_d(const GrazeSimulationd *simulation, GrazeBodyId id, double *mass);
 GRAZE_C_API GrazeStatus graze_simulation_asleep_d(const GrazeSimulationd *simulation, GrazeBodyId id, bool *asleep);
+// The sub-steps of the body's island in the last step; 0 before its first.
+GRAZE_C_API GrazeStatus graze_simulation_sub_steps_d(const GrazeSimulationd *simulation, GrazeBodyId id,
+                                                     int32_t *sub_steps);
+// All joints, by index, and one as it was added, whose limits and drives belong to the buffer.
+GRAZE_C_API GrazeStatus graze_simulation_joints_d(const GrazeSimulationd *simulation, GrazeBufferd *buffer,
+                                                  const GrazeJointId **joints, size_t *count);
+GRAZE_C_API GrazeStatus graze_simulation_joint_d(const GrazeSimulationd *simulation, GrazeJointId id,
+                                                 GrazeBufferd *buffer, GrazeJointd *joint);
 // The impulses of the last step, a number for each row of the joint, valid until the next step.
 GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_d(const GrazeSimulationd *simulation, GrazeJointId id,
                                                           const double **impulses, size_t *count);
@@ -1272,6 +1295,8 @@ GRAZE_C_API GrazeStatus graze_simulation_report_d(const GrazeSimulationd *simula
 // The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_simulation_world_d(const GrazeSimulationd *simulation, const GrazeWorldd **world);
 
+// A hash of all bits that the next step depends on. Equal runs have equal hashes, also after a restore.
+GRAZE_C_API GrazeStatus graze_simulation_state_hash_d(const GrazeSimulationd *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_simulation_save_d(const GrazeSimulationd *simulation, GrazeStated **state);
 // Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and removed
 // in the same order; an error where there are others now.
@@ -1756,6 +1781,9 @@ GRAZE_C_API GrazeStatus graze_plane_world_slide_d(const GrazePlaneWorldd *world,
                                                   const GrazeQueryFilter *filter, GrazeBufferd *buffer,
                                                   GrazePose2d *end, GrazeVec2d *left,
                                                   const GrazePlaneBodyCastHitd **touched, size_t *count);
+// The part of a motion that lines leave, as graze_along_planes_d.
+GRAZE_C_API GrazeStatus graze_plane_along_lines_d(GrazeVec2d motion, const GrazeVec2d *normals, size_t stride,
+                                                  size_t count, GrazeVec2d *left);
 // Bytes that are held, without the shapes' own data.
 GRAZE_C_API GrazeStatus graze_plane_world_memory_d(const GrazePlaneWorldd *world, size_t *bytes);
 
@@ -1889,6 +1917,12 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_mass_d(const GrazePlaneSimulation
                                                       double *mass);
 GRAZE_C_API GrazeStatus graze_plane_simulation_asleep_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                         bool *asleep);
+GRAZE_C_API GrazeStatus graze_plane_simulation_sub_steps_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                           int32_t *sub_steps);
+GRAZE_C_API GrazeStatus graze_plane_simulation_joints_d(const GrazePlaneSimulationd *simulation, GrazeBufferd *buffer,
+                                                        const GrazeJointId **joints, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_simulation_joint_d(const GrazePlaneSimulationd *simulation, GrazeJointId id,
+                                                       GrazeBufferd *buffer, GrazePlaneJointd *joint);
 // The impulses of the last step, a number for each row of the joint, valid until the next step.
 GRAZE_C_API GrazeStatus graze_plane_simulation_joint_impulses_d(const GrazePlaneSimulationd *simulation,
                                                                 GrazeJointId id, const double **impulses,
@@ -1899,6 +1933,7 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_report_d(const GrazePlaneSimulati
 GRAZE_C_API GrazeStatus graze_plane_simulation_world_d(const GrazePlaneSimulationd *simulation,
                                                        const GrazePlaneWorldd **world);
 
+GRAZE_C_API GrazeStatus graze_plane_simulation_state_hash_d(const GrazePlaneSimulationd *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_plane_simulation_save_d(const GrazePlaneSimulationd *simulation,
                                                       GrazePlaneStated **state);
 // Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and removed
@@ -1909,6 +1944,14 @@ GRAZE_C_API void graze_plane_state_destroy_d(GrazePlaneStated *state);
 
 // Debug draw (graze/draw.hpp) -----------------------------------------------------------------------------------------
 
+// The faces of a shape, which belong to the buffer: curved ones sampled for the eye, a half-space as a square whose
+// sides are twice `half_space_size`, about the foot of `center`; in the plane the outline.
+GRAZE_C_API GrazeStatus graze_shape_tessellate_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeVec3d center,
+                                                 double half_space_size, GrazeBufferd *buffer,
+                                                 GrazePolygons *polygons);
+GRAZE_C_API GrazeStatus graze_plane_shape_tessellate_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                       GrazeVec2d center, double half_plane_size, GrazeBufferd *buffer,
+                                                       GrazePolygons *polygons);
 GRAZE_C_API GrazeStatus graze_shape_draw_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeDrawMeaning meaning,
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_shape_draw_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
@@ -2473,6 +2516,8 @@ GRAZE_C_API GrazeStatus graze_world_slide_f(const GrazeWorldf *world, const Graz
                                             GrazeVec3f motion, int casts, const GrazeQueryFilter *filter,
                                             GrazeBufferf *buffer, GrazePosef *end, GrazeVec3f *left,
                                             const GrazeBodyCastHitf **touched, size_t *count);
+GRAZE_C_API GrazeStatus graze_along_planes_f(GrazeVec3f motion, const GrazeVec3f *normals, size_t stride, size_t count,
+                                             GrazeVec3f *left);
 GRAZE_C_API GrazeStatus graze_world_memory_f(const GrazeWorldf *world, size_t *bytes);
 
 typedef struct GrazeSimulationf GrazeSimulationf;
@@ -2601,11 +2646,18 @@ GRAZE_C_API GrazeStatus graze_simulation_angular_momentum_f(const GrazeSimulatio
                                                             GrazeVec3f *momentum);
 GRAZE_C_API GrazeStatus graze_simulation_mass_f(const GrazeSimulationf *simulation, GrazeBodyId id, float *mass);
 GRAZE_C_API GrazeStatus graze_simulation_asleep_f(const GrazeSimulationf *simulation, GrazeBodyId id, bool *asleep);
+GRAZE_C_API GrazeStatus graze_simulation_sub_steps_f(const GrazeSimulationf *simulation, GrazeBodyId id,
+                                                     int32_t *sub_steps);
+GRAZE_C_API GrazeStatus graze_simulation_joints_f(const GrazeSimulationf *simulation, GrazeBufferf *buffer,
+                                                  const GrazeJointId **joints, size_t *count);
+GRAZE_C_API GrazeStatus graze_simulation_joint_f(const GrazeSimulationf *simulation, GrazeJointId id,
+                                                 GrazeBufferf *buffer, GrazeJointf *joint);
 GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_f(const GrazeSimulationf *simulation, GrazeJointId id,
                                                           const float **impulses, size_t *count);
 GRAZE_C_API GrazeStatus graze_simulation_report_f(const GrazeSimulationf *simulation, GrazeStepReportf *report);
 GRAZE_C_API GrazeStatus graze_simulation_world_f(const GrazeSimulationf *simulation, const GrazeWorldf **world);
 
+GRAZE_C_API GrazeStatus graze_simulation_state_hash_f(const GrazeSimulationf *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_simulation_save_f(const GrazeSimulationf *simulation, GrazeStatef **state);
 GRAZE_C_API GrazeStatus graze_simulation_restore_f(GrazeSimulationf *simulation, const GrazeStatef *state);
 GRAZE_C_API void graze_state_destroy_f(GrazeStatef *state);
@@ -3036,6 +3088,8 @@ GRAZE_C_API GrazeStatus graze_plane_world_slide_f(const GrazePlaneWorldf *world,
                                                   const GrazeQueryFilter *filter, GrazeBufferf *buffer,
                                                   GrazePose2f *end, GrazeVec2f *left,
                                                   const GrazePlaneBodyCastHitf **touched, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_along_lines_f(GrazeVec2f motion, const GrazeVec2f *normals, size_t stride,
+                                                  size_t count, GrazeVec2f *left);
 GRAZE_C_API GrazeStatus graze_plane_world_memory_f(const GrazePlaneWorldf *world, size_t *bytes);
 
 typedef struct GrazePlaneSimulationf GrazePlaneSimulationf;
@@ -3152,6 +3206,12 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_mass_f(const GrazePlaneSimulation
                                                       float *mass);
 GRAZE_C_API GrazeStatus graze_plane_simulation_asleep_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
                                                         bool *asleep);
+GRAZE_C_API GrazeStatus graze_plane_simulation_sub_steps_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                           int32_t *sub_steps);
+GRAZE_C_API GrazeStatus graze_plane_simulation_joints_f(const GrazePlaneSimulationf *simulation, GrazeBufferf *buffer,
+                                                        const GrazeJointId **joints, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_simulation_joint_f(const GrazePlaneSimulationf *simulation, GrazeJointId id,
+                                                       GrazeBufferf *buffer, GrazePlaneJointf *joint);
 GRAZE_C_API GrazeStatus graze_plane_simulation_joint_impulses_f(const GrazePlaneSimulationf *simulation,
                                                                 GrazeJointId id, const float **impulses,
                                                                 size_t *count);
@@ -3160,12 +3220,19 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_report_f(const GrazePlaneSimulati
 GRAZE_C_API GrazeStatus graze_plane_simulation_world_f(const GrazePlaneSimulationf *simulation,
                                                        const GrazePlaneWorldf **world);
 
+GRAZE_C_API GrazeStatus graze_plane_simulation_state_hash_f(const GrazePlaneSimulationf *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_plane_simulation_save_f(const GrazePlaneSimulationf *simulation,
                                                       GrazePlaneStatef **state);
 GRAZE_C_API GrazeStatus graze_plane_simulation_restore_f(GrazePlaneSimulationf *simulation,
                                                          const GrazePlaneStatef *state);
 GRAZE_C_API void graze_plane_state_destroy_f(GrazePlaneStatef *state);
 
+GRAZE_C_API GrazeStatus graze_shape_tessellate_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeVec3f center,
+                                                 float half_space_size, GrazeBufferf *buffer,
+                                                 GrazePolygons *polygons);
+GRAZE_C_API GrazeStatus graze_plane_shape_tessellate_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                       GrazeVec2f center, float half_plane_size, GrazeBufferf *buffer,
+                                                       GrazePolygons *polygons);
 GRAZE_C_API GrazeStatus graze_shape_draw_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeDrawMeaning meaning,
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_shape_draw_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
