@@ -30,7 +30,8 @@ POSE_LIKE = 'PoseLike = Union["Pose", tuple[ArrayLike, ArrayLike], ArrayLike, No
 MARK = "# Written by scripts/write_python_stubs.py from the module: do not edit what follows.\n"
 PLANE_CLASSES = [
     "StruckBody", "Blow", "FreeBody", "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
-PLANE_FUNCTIONS = ["cast_all", "feature_corners", "pass_on", "pose_at", "raycast_all", "raycast_any"]
+PLANE_FUNCTIONS = [
+    "along_lines", "cast_all", "feature_corners", "pass_on", "pose_at", "raycast_all", "raycast_any", "tessellate"]
 # What pybind11 calls things, and what they are called in Python.
 NAMES = [
     (r"\bgraze\.(_graze|plane)\.", ""),

@@ -176,3 +176,23 @@ def test_flags_of_all_kinds_ask_for_a_trace():
         assert graze.distance(*shapes, trace=yes)[0].distance == 1
     with pytest.raises(ValueError, match="size"):
         graze.distance(*shapes, trace=type("Flat", (), {"size": 0}))
+
+
+def test_a_tessellation_is_the_shape():
+    ball = graze.tessellate(graze.Sphere(2), (5, 0, 0))
+    assert ball["smooth"] and ball["closed"]
+    np.testing.assert_allclose(np.linalg.norm(ball["points"] - (5, 0, 0), axis=1), 2, rtol=1e-12)
+    volume = 0.0
+    for loop in ball["loops"]:  # counter-clockwise seen from outside: cones to the origin with a sign
+        corners = ball["points"][loop]
+        for i in range(1, len(loop) - 1):
+            volume += np.linalg.det([corners[0], corners[i], corners[i + 1]]) / 6
+    assert volume == pytest.approx(4 / 3 * np.pi * 8, rel=0.05) and volume < 4 / 3 * np.pi * 8
+    [loop] = plane.tessellate(plane.Box((2, 4)), (0, 0, np.pi / 2))["loops"]
+    flat = plane.tessellate(plane.Box((2, 4)), (0, 0, np.pi / 2))["points"]
+    np.testing.assert_allclose(flat.min(axis=0), (-2, -1, 0), atol=1e-12)
+    assert len(loop) == 4 and not flat[:, 2].any()
+    floor = graze.tessellate(graze.HalfSpace(), (0, 1, 0), center=(3, 9, 0), half_space_size=5)["points"]
+    np.testing.assert_allclose([floor.min(axis=0), floor.max(axis=0)], [(-2, 1, -5), (8, 1, 5)], atol=1e-12)
+    with pytest.raises(ValueError, match="half_space_size"):
+        graze.tessellate(graze.HalfSpace(), half_space_size=-1)

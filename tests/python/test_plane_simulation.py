@@ -54,6 +54,18 @@ def test_friction_stops_what_slides_after_its_way():
     assert simulation.velocity(slider)[0][0] == pytest.approx(0, abs=1e-3)
 
 
+def test_a_joint_is_read_back_and_the_bits_have_a_hash():
+    simulation = plane.Simulation()
+    a, b = [simulation.add(plane.Box((1, 1)), (2 * i, 0)) for i in range(2)]
+    hinge = simulation.join_hinge(a, (1, 0), b, ((-1, 0), 0.5))
+    read = simulation.joint(hinge)
+    assert read["a"] == a and read["frame_b"] == plane.Pose((-1, 0), 0.5) and read["drives"] == []
+    assert [(limit.space, limit.axes) for limit in read["limits"]] == [("linear", "xy")]
+    before = simulation.state_hash()
+    simulation.step(STEP)
+    assert simulation.state_hash() != before and simulation.sub_steps(a) >= 4
+
+
 def test_a_belt_carries_what_lies_on_it():
     simulation = plane.Simulation()
     simulation.add(plane.Box((20, 1)), (0, -0.5), fixed=True, material=plane.Material(surface_velocity=(1, 0)))

@@ -101,6 +101,9 @@ def test_a_shape_slides_along_what_is_in_its_way():
     assert [body for body, _ in touched][:2] == [wall, floor]
     end, left, touched = world.slide(ball, (0, 2), (9, -4), casts=1)
     assert len(touched) == 1 and np.linalg.norm(left) > 1
+    np.testing.assert_array_equal(plane.along_lines((1, -1), [(0, 1), (-1, 0)]), (0, 0))
+    slope = np.array([-0.6, 0.8])  # the motion without its part along the normal
+    np.testing.assert_allclose(plane.along_lines((1, -1), [slope]), (1, -1) + 1.4 * slope, atol=1e-15)
     for motion, casts, what in [((np.nan, 0), 6, "motion"), ((1, 0), 0, "casts: expected a number >= 1, got 0")]:
         with pytest.raises(ValueError, match=what):
             world.slide(ball, (0, 2), motion, casts=casts)

@@ -121,6 +121,10 @@ def test_a_shape_slides_along_what_is_in_its_way():
     end, left, touched = world.slide(ball, (0, 2, 0), (1, 0, 0))
     np.testing.assert_array_equal(end.translation, (1, 2, 0))
     assert touched == []
+    np.testing.assert_allclose(graze.along_planes((1, -1, -1), [(0, 1, 0), (0, 0, 1)]), (1, 0, 0), atol=1e-15)
+    np.testing.assert_array_equal(graze.along_planes((1, 1, 0), [(0, 1, 0)]), (1, 1, 0))
+    with pytest.raises(ValueError, match=r"normals\[1\]\[2\]"):
+        graze.along_planes((1, 0, 0), [(0, 1, 0), (0, 1, np.inf)])
     for motion, casts, what in [((np.nan, 0, 0), 6, "motion"), ((1, 0, 0), 0, "casts: expected a number >= 1, got 0")]:
         with pytest.raises(ValueError, match=what):
             world.slide(ball, (0, 2, 0), motion, casts=casts)
@@ -225,6 +229,45 @@ def test_a_box_comes_to_rest_and_a_state_comes_back():
     simulation.add(graze.Sphere(1), (9, 9, 9))
     with pytest.raises(ValueError):
         simulation.restore(saved)
+
+
+def test_equal_runs_have_equal_hashes_and_sub_steps():
+    def pile():
+        simulation = graze.Simulation()
+        simulation.add(graze.HalfSpace(), fixed=True)
+        return simulation, [simulation.add(graze.Box((1, 1, 1)), (0.1 * i, 0.5 + i, 0)) for i in range(4)]
+
+    (a, boxes), (b, _) = pile(), pile()
+    assert a.sub_steps(boxes[0]) == 0 and a.state_hash() == b.state_hash()
+    for _ in range(20):
+        a.step(1 / 60)
+        b.step(1 / 60)
+    assert a.state_hash() == b.state_hash()
+    assert max(a.sub_steps(box) for box in boxes) == a.report["most_sub_steps"] >= 4
+    b.apply_impulse(boxes[3], (1e-9, 0, 0), (0, 4, 0))
+    assert a.state_hash() != b.state_hash()
+
+
+def test_a_joint_is_read_back_and_joins_another_pair():
+    simulation = graze.Simulation()
+    a, b, c = [simulation.add(graze.Box((1, 1, 1)), (2 * i, 0, 0)) for i in range(3)]
+    limits = [graze.JointLimit("linear", "yz"), graze.JointLimit("angular", "x", -0.5, 0.25, stiffness=30, damping=2)]
+    drives = [graze.JointDrive("linear", "x", velocity_target=2, damping=7, max_force=5, acceleration=True)]
+    first = simulation.join(a, (1, 0, 0), b, ((-1, 0, 0), (0, 0, 0.6, 0.8)), limits, drives, enable_collision=True)
+    read = simulation.joint(first)
+    assert (read["a"], read["b"], read["enable_collision"]) == (a, b, True)
+    assert read["frame_b"] == graze.Pose((-1, 0, 0), (0, 0, 0.6, 0.8))
+    tube, soft = read["limits"]
+    assert (tube.space, tube.axes, tube.min, tube.max, tube.stiffness) == ("linear", "yz", 0, 0, None)
+    assert (soft.space, soft.axes, soft.min, soft.max, soft.stiffness, soft.damping) == ("angular", "x", -0.5, 0.25, 30, 2)
+    [motor] = read["drives"]
+    assert (motor.space, motor.axis, motor.velocity_target, motor.damping) == ("linear", "x", 2, 7)
+    assert (motor.position_target, motor.stiffness, motor.max_force, motor.acceleration) == (0, 0, 5, True)
+    second = simulation.join(**{**read, "a": b, "b": c})
+    assert simulation.joints() == [first, second] and simulation.joint(second)["b"] == c
+    simulation.remove_joint(first)
+    with pytest.raises(ValueError):
+        simulation.joint(first)
 
 
 @pytest.mark.parametrize(

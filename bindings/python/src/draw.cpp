@@ -49,6 +49,19 @@ py::array_t<double> array_of_loop(const Polygons& shape, const std::vector<std::
   return out;
 }
 
+/// Polygons by name, as Python has them.
+py::dict object_of(const Polygons& shape) {
+  py::list loops;
+  for (const auto& loop : shape.loops)
+    loops.append(py::array_t<std::uint32_t>(static_cast<py::ssize_t>(loop.size()), loop.data()));
+  py::dict out;
+  out["points"] = array_of_points(shape.points);
+  out["loops"] = loops;
+  out["smooth"] = shape.smooth;
+  out["closed"] = shape.closed;
+  return out;
+}
+
 template <class... Values>
 void hand(const py::object& method, DrawLayer layer, DrawMeaning meaning, const Values&... values) {
   if (!method.is_none())
@@ -154,6 +167,25 @@ what has no end is drawn as far. Raises ValueError, and what the methods raise.
 shapes moving (3, 3)
 shapes moving (3, 3)
 )");
+  m.def(
+      "tessellate",
+      [](const Shaped& shape, const Placement& pose, const Vector& center, double half_space_size) {
+        return object_of(tessellate(shape, pose.value, validate::point(center.value, "center"),
+                                    validate::extent(half_space_size, "half_space_size")));
+      },
+      py::arg("shape"), py::arg("pose") = py::none(), py::arg("center") = Vector{}, py::arg("half_space_size") = 1.0,
+      R"(The faces of a shape as polygons, curved ones sampled for the eye: a dictionary.
+
+points: shape (n, 3), in the world. loops: arrays of their indices, counter-clockwise seen from
+outside. smooth: whether edges come from the sampling. closed: whether there is an inside. A
+half-space is a square whose sides are twice half_space_size, about the foot of center. Raises
+ValueError.
+
+>>> import graze
+>>> box = graze.tessellate(graze.Box((1, 1, 1)))
+>>> len(box["points"]), [len(loop) for loop in box["loops"]]
+(8, [4, 4, 4, 4, 4, 4])
+)");
   add_answer<Manifold<double>>(m, "Points of contact, and the normal as an arrow from their middle.");
   add_answer<Distance<double>>(m, "The shortest way between two shapes, or out of each other.");
   add_worlds<SpaceWords>(m);
@@ -192,6 +224,17 @@ numbers there too, the last of which is 0.
 >>> plane.draw(Corners(), plane.Box((1, 2)), (3, 0))
 4
 )");
+  m.def(
+      "tessellate",
+      [](const plane::Shaped& shape, const Placement2& pose, const Vector2& center, double half_plane_size) {
+        const plane::Vec2d at = checked(center.value, "center");
+        return object_of(
+            tessellate(shape, pose.value, Vec3d{at.x, at.y, 0}, validate::extent(half_plane_size, "half_plane_size")));
+      },
+      py::arg("shape"), py::arg("pose") = py::none(), py::arg("center") = Vector2{}, py::arg("half_plane_size") = 1.0,
+      R"(The outline of a shape, as graze.tessellate: points have three numbers, the last of which is 0.
+
+A half-plane reaches half_plane_size to both sides of the foot of center.)");
   add_answer<plane::Manifold<double>>(m, "Points of contact, and the normal as an arrow from their middle.");
   add_answer<plane::Distance<double>>(m, "The shortest way between two shapes, or out of each other.");
   add_worlds<PlaneWords>(m);

@@ -16,6 +16,22 @@ plane::Pose2d PlaneWords::pose_of_row(const double* p) {
 }
 
 void add_plane_world(py::module_& m) {
+  m.def(
+      "along_lines",
+      [](const Vector2& motion, const py::object& normals) {
+        const std::vector<plane::Vec2d> away = points_of_plane(normals, "normals");
+        for (std::size_t i = 0; i < away.size(); ++i) checked(away[i], ("normals[" + std::to_string(i) + "]").c_str());
+        return array_of(plane::along_lines<double>(checked(motion.value, "motion"), away));
+      },
+      py::arg("motion"), py::arg("normals"),
+      R"(The part of a motion that lines leave: the nearest motion that leads into none of them.
+
+normals: unit vectors away from the obstacles, shape (n, 2). Raises ValueError.
+
+>>> from graze import plane
+>>> plane.along_lines((1, -1), [(0, 1)])
+array([1., 0.])
+)");
   WorldMethods<PlaneWords>::add(m,
                                 "A world of the plane to read: its bodies, what touched in the last update, questions.",
                                 R"(Bodies of the plane that come, move and go, and what touches.

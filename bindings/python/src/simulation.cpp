@@ -13,6 +13,8 @@ JointSpace joint_space_of(const std::string& word) {
   validate::fail("space", "linear or angular", word);
 }
 
+const char* text_of(JointSpace space) { return space == JointSpace::linear ? "linear" : "angular"; }
+
 /// The axes of a word such as "x" or "yz".
 std::array<bool, 3> axes_of(const std::string& word) {
   std::array<bool, 3> axes{};
@@ -43,7 +45,19 @@ for numbers that are none where a joint gets the limit.)")
              return Limit{joint_space_of(space), axes_of(axes), min, max, stiffness, damping};
            }),
            py::arg("space"), py::arg("axes"), py::arg("min") = 0.0, py::arg("max") = 0.0,
-           py::arg("stiffness") = py::none(), py::arg("damping") = 0.0);
+           py::arg("stiffness") = py::none(), py::arg("damping") = 0.0)
+      .def_property_readonly("space", [](const Limit& l) { return text_of(l.space); })
+      .def_property_readonly("axes",
+                             [](const Limit& l) {
+                               std::string axes;
+                               for (std::size_t i = 0; i < 3; ++i)
+                                 if (l.axes[i]) axes += "xyz"[i];
+                               return axes;
+                             })
+      .def_readonly("min", &Limit::min)
+      .def_readonly("max", &Limit::max)
+      .def_readonly("stiffness", &Limit::stiffness)
+      .def_readonly("damping", &Limit::damping);
   using Drive = JointDrive<double>;
   const Drive usual;
   py::class_<Drive>(m, "JointDrive", R"(A motor on one axis of a joint's frame on the first body.
@@ -65,7 +79,15 @@ Raises ValueError for words that are none; for numbers that are none where a joi
            }),
            py::arg("space"), py::arg("axis"), py::arg("position_target") = usual.position_target,
            py::arg("velocity_target") = usual.velocity_target, py::arg("stiffness") = usual.stiffness,
-           py::arg("damping") = usual.damping, py::arg("max_force") = usual.max_force, py::arg("acceleration") = false);
+           py::arg("damping") = usual.damping, py::arg("max_force") = usual.max_force, py::arg("acceleration") = false)
+      .def_property_readonly("space", [](const Drive& d) { return text_of(d.space); })
+      .def_property_readonly("axis", [](const Drive& d) { return std::string(1, "xyz"[d.axis]); })
+      .def_readonly("position_target", &Drive::position_target)
+      .def_readonly("velocity_target", &Drive::velocity_target)
+      .def_readonly("stiffness", &Drive::stiffness)
+      .def_readonly("damping", &Drive::damping)
+      .def_readonly("max_force", &Drive::max_force)
+      .def_property_readonly("acceleration", [](const Drive& d) { return d.mode == DriveMode::acceleration; });
   py::class_<JointId>(m, "JointId", "A handle of a joint.")
       .def_readonly("index", &JointId::index)
       .def(

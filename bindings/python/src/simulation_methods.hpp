@@ -177,6 +177,18 @@ cannot hold: a shape with a support function in Python.)");
     return out;
   }
 
+  static py::dict object_of(const Joint& joint) {
+    py::dict out;
+    out["a"] = joint.a;
+    out["frame_a"] = joint.frame_a;
+    out["b"] = joint.b;
+    out["frame_b"] = joint.frame_b;
+    out["limits"] = joint.limits;
+    out["drives"] = joint.drives;
+    out["enable_collision"] = joint.enable_collision;
+    return out;
+  }
+
   static void add_material(py::module_& m) {
     const Material usual;
     py::class_<Material>(m, "Material", R"(What a surface is made of.
@@ -215,6 +227,9 @@ RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longe
         .def_property_readonly(
             "report", [](const Own& s) { return object_of(s.read()->report()); },
             "What the last step did: a dictionary.")
+        .def(
+            "state_hash", [](const Own& s) { return s.read()->state_hash(); },
+            "A hash of all bits that the next step depends on: equal runs have equal hashes, also after `restore`.")
         .def_property_readonly("world", py::cpp_function(&Own::view, py::keep_alive<0, 1>()),
                                "The WorldView of the last step, for questions and contacts.")
         .def(
@@ -314,6 +329,9 @@ has no end.)")
             "asleep", [](const Own& s, BodyId id) { return s.read()->asleep(id); }, py::arg("body"),
             "Whether a body is at rest, and not moved until something wakes it.")
         .def(
+            "sub_steps", [](const Own& s, BodyId id) { return s.read()->sub_steps(id); }, py::arg("body"),
+            "The sub-steps of a body's island in the last step; 0 before its first.")
+        .def(
             "set_material", [](Own& s, BodyId id, const Material& material) { s.change()->set_material(id, material); },
             py::arg("body"), py::arg("material"), "Another material for a body.");
   }
@@ -406,6 +424,9 @@ has no end.)")
                 .c_str())
         .def(
             "joints", [](const Own& s) { return s.read()->joints(); }, "The JointIds of all joints, by index.")
+        .def(
+            "joint", [](const Own& s, JointId id) { return object_of(s.read()->joint(id)); }, py::arg("joint"),
+            "A joint as it was added: a dictionary of the arguments of `join`.")
         .def(
             "joint_impulses",
             [](const Own& s, JointId id) {

@@ -67,6 +67,22 @@ py::dtype solver_point_type() { return WorldMethods<SpaceWords>::solver_point_ty
 
 void add_world(py::module_& m) {
   add_handles(m);
+  m.def(
+      "along_planes",
+      [](const Vector& motion, const py::object& normals) {
+        const std::vector<Vec3d> away = points_of(rows(normals, 3, "normals"));
+        for (std::size_t i = 0; i < away.size(); ++i) validate::point(away[i], "normals[" + std::to_string(i) + "]");
+        return array_of(along_planes<double>(validate::point(motion.value, "motion"), away));
+      },
+      py::arg("motion"), py::arg("normals"),
+      R"(The part of a motion that planes leave: the nearest motion that leads into none of them.
+
+normals: unit vectors away from the obstacles, shape (n, 3). Raises ValueError.
+
+>>> import graze
+>>> graze.along_planes((1, -1, 0), [(0, 1, 0)])
+array([1., 0., 0.])
+)");
   WorldMethods<SpaceWords>::add(m, "A world to read: its bodies, what touched in the last update, and questions.",
                                 R"(Bodies that come, move and go, and what touches.
 
