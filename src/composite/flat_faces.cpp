@@ -181,14 +181,14 @@ typename FlatFaces<T>::Standing FlatFaces<T>::stand(const Part<T>& a, const Part
   if (normal == Vec3<T>{}) return Standing::on_piece;
   const Vec3<T> touched = manifold.points[0].*(surface_is_a_ ? &ContactPoint<T>::a : &ContactPoint<T>::b);
   const Vec3<T> place = touched + normal * dot(furthest(piece.shape, piece.pose, normal) - touched, normal);
-  const T body_noise = size_noise(body), noise = place_noise(place) + body_noise;
   for (const Face& face : faces_)
-    if (of_body(face, body) && is_level_with(face, normal, place, noise))
+    if (of_body(face, body) && is_level_with(face, normal, place, place_noise(place) + face.body_noise))
       return face.whole ? Standing::on_known_face : Standing::on_piece;
   if (faces_.size() == most) return Standing::on_piece;
-  Face face{normal, place, &body.shape, body.pose, body_noise};
+  Face face{normal, place, &body.shape, body.pose, size_noise(body)};
   Manifold<T> resting;
   face.whole = rests_on(face, body, resting);
+  const T noise = place_noise(place) + face.body_noise;
   face.clear = std::all_of(resting.points.begin(), resting.points.end(),
                            [&](const ContactPoint<T>& point) { return point.distance > noise; });
   faces_.push_back(face);
