@@ -444,6 +444,10 @@ struct Calls {
     told(graze_overlap_batch_d(&batch, in.maybe(touch.data()), 0));
     told(graze_distance_batch_d(&batch, in.maybe(distances.data()), 0));
     GrazeBatchContactsd contacts;
+    GrazeCompactContactsd compact;
+    if (told(graze_compact_contacts_batch_d(&batch, in.length(), in.maybe(buffer), in.maybe(&compact))))
+      for (std::size_t i = 0; i < compact.manifold_count; ++i)
+        require(compact.manifolds[i].first_point + compact.manifolds[i].point_count <= compact.point_count);
     if (told(graze_contacts_batch_d(&batch, in.length(), in.maybe(buffer), &contacts)))
       require(contacts.pair_count == size);
     const GrazePieceDistanced* pieces;

@@ -667,6 +667,27 @@ typedef struct GrazeBatchContactsd {
   size_t point_count;
 } GrazeBatchContactsd;
 
+// Compact contacts of many pairs (graze/compact_contacts.hpp), which belong to the buffer: normals, positions and
+// distances only. Pairs without contacts take no memory; the manifolds of a pair are contiguous, and pairs may come in
+// another order than in the batch.
+typedef struct GrazeCompactManifoldd {
+  GrazeVec3d normal;  // unit, from A to B
+  uint32_t pair;      // index in the batch
+  uint32_t first_point, point_count;
+} GrazeCompactManifoldd;
+
+typedef struct GrazeCompactPointd {
+  GrazeVec3d position;  // the contact position for a solver
+  double distance;      // negative is penetration
+} GrazeCompactPointd;
+
+typedef struct GrazeCompactContactsd {
+  const GrazeCompactManifoldd *manifolds;
+  size_t manifold_count;
+  const GrazeCompactPointd *points;
+  size_t point_count;
+} GrazeCompactContactsd;
+
 typedef struct GrazeRayd {
   GrazeVec3d origin, direction;  // the direction need not be unit
 } GrazeRayd;
@@ -912,6 +933,8 @@ GRAZE_C_API GrazeStatus graze_overlap_batch_d(const GrazeBatchd *batch, uint8_t 
 GRAZE_C_API GrazeStatus graze_distance_batch_d(const GrazeBatchd *batch, GrazeDistanced *distances, size_t stride);
 GRAZE_C_API GrazeStatus graze_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                GrazeBatchContactsd *contacts);
+GRAZE_C_API GrazeStatus graze_compact_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
+                                                       GrazeCompactContactsd *contacts);
 // The pieces of all pairs, those of a pair contiguous; `ends[i]`, one for each pair, is the end of the i-th pair's.
 GRAZE_C_API GrazeStatus graze_near_pieces_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                   const GrazePieceDistanced **pieces, const size_t **ends,
@@ -2151,6 +2174,24 @@ typedef struct GrazeBatchContactsf {
   size_t point_count;
 } GrazeBatchContactsf;
 
+typedef struct GrazeCompactManifoldf {
+  GrazeVec3f normal;
+  uint32_t pair;
+  uint32_t first_point, point_count;
+} GrazeCompactManifoldf;
+
+typedef struct GrazeCompactPointf {
+  GrazeVec3f position;
+  float distance;
+} GrazeCompactPointf;
+
+typedef struct GrazeCompactContactsf {
+  const GrazeCompactManifoldf *manifolds;
+  size_t manifold_count;
+  const GrazeCompactPointf *points;
+  size_t point_count;
+} GrazeCompactContactsf;
+
 typedef struct GrazeRayf {
   GrazeVec3f origin, direction;
 } GrazeRayf;
@@ -2349,6 +2390,8 @@ GRAZE_C_API GrazeStatus graze_overlap_batch_f(const GrazeBatchf *batch, uint8_t 
 GRAZE_C_API GrazeStatus graze_distance_batch_f(const GrazeBatchf *batch, GrazeDistancef *distances, size_t stride);
 GRAZE_C_API GrazeStatus graze_contacts_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
                                                GrazeBatchContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_compact_contacts_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
+                                                       GrazeCompactContactsf *contacts);
 GRAZE_C_API GrazeStatus graze_near_pieces_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
                                                   const GrazePieceDistancef **pieces, const size_t **ends,
                                                   size_t *count);

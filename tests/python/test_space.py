@@ -82,6 +82,24 @@ def test_a_batch_has_the_bits_of_each_pair():
         assert touch[i] == (alone.distance <= 0)
 
 
+def test_compact_contacts_are_those_of_the_pairs():
+    rng = np.random.default_rng(13)
+    rows, box = random_rows(rng, 300, 1.0), graze.Box((1, 2, 1))
+    manifolds, points = graze.batch.compact_contacts(box, None, box, rows, margin=0.1)
+    groups = {}
+    for manifold in manifolds:
+        groups.setdefault(int(manifold["pair"]), []).append(manifold)
+    assert len(groups) > 100
+    for i, row in enumerate(rows):
+        alone = graze.contacts(box, None, box, row, margin=0.1)
+        assert len(alone) == len(groups.get(i, []))
+        for m, group in zip(alone, groups.get(i, [])):
+            np.testing.assert_array_equal(group["normal"], m.normal)
+            mine = points[group["first_point"] :][: group["point_count"]]
+            assert mine["distance"].tolist() == [p.distance for p in m.points]
+            np.testing.assert_array_equal(mine["position"], [p.position for p in m.points])
+
+
 def test_batches_from_several_threads_are_the_same():
     rng = np.random.default_rng(4)
     poses = random_rows(rng, 20000, 3.0)

@@ -8,6 +8,7 @@ namespace graze::python {
 namespace {
 
 using Contacts = BatchContacts<double>;
+using Compact = CompactContacts<double>;
 
 /// The near pieces of all pairs, and where those of each pair end.
 struct Pieces {
@@ -44,6 +45,20 @@ py::dtype group_type() {
                       {"first_point", "u4", offsetof(G, first_point)},
                       {"point_count", "u4", offsetof(G, point_count)}},
                      sizeof(G));
+}
+
+py::dtype compact_group_type() {
+  using G = Compact::Group;
+  return record_type({{"normal", "(3,)f8", offsetof(G, normal)},
+                      {"pair", "u4", offsetof(G, pair)},
+                      {"first_point", "u4", offsetof(G, first_point)},
+                      {"point_count", "u4", offsetof(G, point_count)}},
+                     sizeof(G));
+}
+py::dtype compact_point_type() {
+  using P = Compact::Point;
+  return record_type({{"position", "(3,)f8", offsetof(P, position)}, {"distance", "f8", offsetof(P, distance)}},
+                     sizeof(P));
 }
 
 constexpr const char* batch_doc = R"(
@@ -101,6 +116,25 @@ void add_batches(py::module_& m) {
       (std::string(
            "Where each pair touches: (pairs, manifolds, points), three arrays of records. A pair's manifolds are "
            "`manifold_count` from `first_manifold` on, and likewise a manifold's points.") +
+       batch_doc)
+          .c_str());
+  batch.def(
+      "compact_contacts",
+      [groups_type = compact_group_type(),
+       points_type = compact_point_type()](const py::object& a, const py::object& poses_a, const py::object& b,
+                                           const py::object& poses_b, double margin, const py::object& pairs) {
+        checked_reach(margin, "margin");
+        const Question<SpaceBatch> question(a, poses_a, b, poses_b, pairs);
+        Compact found =
+            question.found<Compact>([margin](const auto& asked, auto& answers) { contacts(asked, margin, answers); });
+        return py::make_tuple(records(std::move(found.manifolds), groups_type),
+                              records(std::move(found.points), points_type));
+      },
+      py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin") = 0.0,
+      py::arg("pairs") = py::none(),
+      (std::string("Contacts in few bytes, of the pairs that have any: (manifolds, points), records with the fields "
+                   "normal, pair, first_point, point_count, and position, distance. Those of a pair are together; "
+                   "pairs may come in another order than they were given in.") +
        batch_doc)
           .c_str());
   batch.def(
