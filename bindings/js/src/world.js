@@ -149,7 +149,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         const left = core.room(layout.vec3.size);
         const touched = ask.listed(types.bodyCastHit, (buffer, first, count) =>
           call(
-            "slide", pointer(), of(shape), pose(at, "pose"), args.vec3(motion, "motion"), options?.casts ?? 4, f, buffer, end,
+            "slide", pointer(), of(shape), pose(at, "pose"), args.vec3(motion, "motion"), options?.casts ?? 6, f, buffer, end,
             left, first, count));
         return { end: types.pose.read(end), left: layout.vec3.read(left), touched };
       }),
