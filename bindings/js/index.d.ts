@@ -242,6 +242,18 @@ export interface PairContacts {
   overlap: boolean;
   manifolds: Manifold[];
 }
+/** Contacts in few bytes: points that share a normal, and what a solver wants of a point. */
+export interface CompactManifold {
+  normal: Vec3;
+  /** The place of the pair in the batch. */
+  pair: number;
+  firstPoint: number;
+  pointCount: number;
+}
+export interface CompactPoint {
+  position: Vec3;
+  distance: number;
+}
 export interface Contacts extends PairContacts {
   certainty: Certainty;
   error: number;
@@ -296,6 +308,9 @@ export function contacts(
   a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number, most?: number): Contacts;
 /** A margin with which a body at rest keeps its points from frame to frame. */
 export function contactMargin(a: Shape, b: Shape): number;
+/** The part of a motion that planes leave: the nearest motion that leads into none of them. `normals` are unit and
+ * point away from the obstacles. */
+export function alongPlanes(motion: Vec3Like, normals: Points): Vec3;
 /** The corners of a feature in the shape's frame: one of a vertex, two of an edge, those of a face in order; none of a
  * round part. `feature` is `point.feature >>> 16` for A and `point.feature & 0xffff` for B, `piece` that of the
  * manifold. */
@@ -330,6 +345,11 @@ export type Places = ArrayLike<number>;
 export function overlapBatch(a: Bodies, b: Bodies, places?: Places): Uint8Array;
 export function distanceBatch(a: Bodies, b: Bodies, places?: Places): Batch<Distance>;
 export function contactsBatch(a: Bodies, b: Bodies, margin?: number, places?: Places): PairContacts[];
+/** Contacts in few bytes, of the pairs that have any, without a copy: valid until the next call. The manifolds of a
+ * pair are contiguous; pairs may come in another order than in the batch. */
+export function compactContactsBatch(
+  a: Bodies, b: Bodies, margin?: number,
+  places?: Places): { manifolds: Rows<CompactManifold>; points: Rows<CompactPoint> };
 export function closestBatch(shape: Shape, pose: PoseLike, points: Numbers | Points): Batch<Closest>;
 /** Casts rays of six numbers: origin and direction. `found` is 1 or 0 for each; where 0, its hit is all zeros. */
 export function raycastBatch(
@@ -478,6 +498,22 @@ export function protocolShape(shape: Shape): ProtocolShape;
 /** The shape that a question of the protocol describes, with the protocol's defaults. Throws `InvalidValue` that names
  * the fault in it. graze/double alone. */
 export function shapeOfProtocol(words: ProtocolShape): Shape;
+
+/** Faces as loops of points. */
+export interface Polygons {
+  /** In the world. */
+  points: Vec3[];
+  /** Indices of points, counter-clockwise seen from outside. */
+  loops: number[][];
+  /** Whether edges come from the sampling, not from the shape. */
+  smooth: boolean;
+  /** Whether there is an inside, so that faces seen from behind are hidden. */
+  closed: boolean;
+}
+/** The faces of a shape, curved ones sampled for the eye; a half-space is a square whose sides are twice `size`,
+ * default 1, about the foot of `center`. Not in graze/queries. */
+export function tessellate(
+  shape: Shape, pose: PoseLike, options?: { readonly center?: Vec3Like; readonly size?: number }): Polygons;
 
 // --- Debug draw ---
 
@@ -805,6 +841,7 @@ export interface WorldQueries {
   raycastAll(ray: Ray, options?: QueryFilter & RayOptions): { body: BodyId; hit: RayHit }[];
   cast(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit } | null;
   castAll(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit }[];
+  /** Moves a shape by `motion` until it touches, then along the surface, by at most `casts` casts; default 6. */
   slide(
     shape: Shape, pose: PoseLike, motion: Vec3Like,
     options?: QueryFilter & { casts?: number }): {
@@ -976,10 +1013,17 @@ export class Simulation extends Handle {
   motion(id: BodyId): Motion;
   mass(id: BodyId): number;
   asleep(id: BodyId): boolean;
+  /** The sub-steps of the body's island in the last step; 0 before its first. */
+  subSteps(id: BodyId): number;
+  joints(): JointId[];
+  /** A joint as it was added; the limits of a `kind` among its `limits`. */
+  joint(id: JointId): Joint;
   jointImpulses(id: JointId): number[];
   report(): StepReport;
   /** Contacts, events and queries. It belongs to the simulation. */
   readonly world: WorldQueries;
+  /** A hash of all bits that the next step depends on: equal runs have equal hashes, also after `restore`. */
+  stateHash(): bigint;
   save(): State;
   /** Goes back, or on from a state of another simulation with the same bodies and joints, added in the same order. */
   restore(state: State): void;
@@ -1008,7 +1052,11 @@ export declare namespace plane {
     bounds(pose?: PoseLike): { lower: Vec2; upper: Vec2 };
     /** Area, centre and inertia at density one, about `center`; area 0 of a shape without one. */
     massProperties(): { area: number; center: Vec2; inertia: number };
+    /** The point of a bounded convex shape furthest along `direction`, in the shape's frame. */
+    support(direction: ArrayLike<number>): Vec2;
     rounded(rounding: number): Shape;
+    /** The region that a bounded convex shape sweeps while it moves by `motion` without turning. */
+    swept(pose: PoseLike, motion: ArrayLike<number>): Shape;
   }
   class Circle extends Shape {
     constructor(radius: number);
@@ -1053,6 +1101,11 @@ export declare namespace plane {
     b: Vec2;
     certainty: Certainty;
     error: number;
+  }
+  interface PieceDistance {
+    pieceA: number;
+    pieceB: number;
+    distance: Distance;
   }
   interface Closest {
     distance: number;
@@ -1209,6 +1262,11 @@ export declare namespace plane {
     raycastAll(ray: Ray, filter?: QueryFilter): { body: BodyId; hit: RayHit }[];
     cast(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit } | null;
     castAll(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit }[];
+    /** Moves a shape by `motion` until it touches, then along the outline, by at most `casts` casts; default 6. */
+    slide(
+      shape: Shape, pose: PoseLike, motion: ArrayLike<number>,
+      options?: QueryFilter & { casts?: number }): {
+        end: Pose; left: Vec2; touched: { body: BodyId; hit: CastHit }[] };
     memory(): number;
   }
   interface World extends WorldQueries {}
@@ -1323,15 +1381,32 @@ export declare namespace plane {
     motion(id: BodyId): { linear: Vec2; angular: number; center: Vec2 };
     mass(id: BodyId): number;
     asleep(id: BodyId): boolean;
+    /** The sub-steps of the body's island in the last step; 0 before its first. */
+    subSteps(id: BodyId): number;
+    joints(): JointId[];
+    /** A joint as it was added; the limits of a `kind` among its `limits`. */
+    joint(id: JointId): Joint;
     jointImpulses(id: JointId): number[];
     report(): StepReport;
     /** Contacts, events and queries. It belongs to the simulation. */
     readonly world: WorldQueries;
+    /** A hash of all bits that the next step depends on: equal runs have equal hashes, also after `restore`. */
+    stateHash(): bigint;
     save(): State;
     restore(state: State): void;
   }
   function overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
   function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
+  /** The distance of shapes no further apart than `limit`, else null. */
+  function distanceUpTo(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, limit: number): Distance | null;
+  function within(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, limit: number): boolean;
+  /** The pairs of convex pieces within `margin`: children, pieces of a polygon, segments of a chain. */
+  function nearPieces(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin: number): PieceDistance[];
+  /** The part of a motion that lines leave, as `alongPlanes`. */
+  function alongLines(motion: ArrayLike<number>, normals: Points): Vec2;
+  /** The outline of a shape: points have three numbers, the last of which is 0. */
+  function tessellate(
+    shape: Shape, pose: PoseLike, options?: { readonly center?: ArrayLike<number>; readonly size?: number }): Polygons;
   function contacts(
     a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number, most?: number): Contacts;
   function contactMargin(a: Shape, b: Shape): number;

@@ -136,6 +136,8 @@ export const checks = [
       equal(entry.distanceUpTo(box, {}, ball, { translation: [9, 0, 0] }, 2), null, "far");
       equal(entry.within(box, {}, ball, { translation: [3, 0, 0] }, 2), true, "within");
       equal(entry.mayOverlap(box, {}, ball, {}), true, "may overlap");
+      equal(entry.alongPlanes([1, -1, -1], [[0, 1, 0], [0, 0, 1]]), [1, 0, 0], "along two planes");
+      equal(entry.alongPlanes([1, -1, 0], []), [1, -1, 0], "along none");
       ok(entry.contactMargin(box, ball) > 0, "a margin");
       for (const { a, feature } of entry.contacts(box, {}, box, { translation: [0.5, 1.75, 0.25] }).manifolds[0].points) {
         const corners = entry.featureCorners(box, feature >>> 16);
@@ -168,6 +170,10 @@ export const checks = [
     equal(both.kind, "compound", "kind");
     close([both.bounds().lower, both.bounds().upper], [[-2.5, -1.5, -1], [3, 1.5, 1]], 1e-4, "compound");
     equal(new graze.Segment([0, 0, 0], [1, 0, 0]).kind, "segment", "segment");
+    const faces = graze.tessellate(new graze.Box([1, 2, 4]), { translation: [9, 0, 0] });
+    equal([faces.points.length, faces.loops.map((loop) => loop.length)], [8, [4, 4, 4, 4, 4, 4]], "the faces of a box");
+    ok(faces.closed && !faces.smooth && faces.points.every((p) => Math.abs(p[0] - 9) === 0.5 && Math.abs(p[2]) === 2), "its corners");
+    ok(graze.tessellate(new graze.Sphere(2), {}).points.every((p) => Math.abs(Math.hypot(...p) - 2) < 1e-6), "on the ball");
     throws(() => new graze.HeightField([0, 0, 0], 2, 2), "heightField.heights: expected 2 * 2 numbers, got 3");
     throws(() => new graze.Mesh([0, 0], [0, 1, 2]), "mesh.points: expected a multiple of 3 numbers, got 2");
   }],
@@ -253,6 +259,15 @@ export const checks = [
       const distances = entry.distanceBatch(bodies, bodies, places);
       const contacts = entry.contactsBatch(bodies, bodies, 0.25, places);
       equal([touch.length, distances.length, contacts.length], [count, count, count], "lengths");
+      const compact = entry.compactContactsBatch(bodies, bodies, 0.25, places);
+      const [compactManifolds, compactPoints] = [[...compact.manifolds], [...compact.points]];
+      equal(compactManifolds.length, contacts.flatMap((c) => c.manifolds).length, "manifolds in few bytes");
+      contacts.forEach(({ manifolds }, i) => {
+        const own = compactManifolds.filter(({ pair }) => pair === i);
+        equal(own.map((m) => m.normal), manifolds.map((m) => m.normal), "normals in few bytes");
+        equal(own.map((m) => compactPoints.slice(m.firstPoint, m.firstPoint + m.pointCount).map((p) => p.distance)),
+              manifolds.map((m) => m.points.map((p) => p.distance)), "distances in few bytes");
+      });
       let touching = 0;
       for (let i = 0; i < count; ++i) {
         const [a, b] = places.slice(2 * i, 2 * i + 2);
@@ -592,6 +607,38 @@ export const checks = [
     }
   }],
 
+  ["a slide takes six casts, as in C++", ({ graze, double, queries }) => {
+    // Ten floors round a bowl of radius 5: from one the ball goes on to the next, of which it meets seven.
+    const angles = Array.from({ length: 10 }, (_, i) => ((i - 1) * Math.PI) / 18);
+    const floors = angles.map((a) => ({ a, translation: [5 * Math.sin(a), 5 - 5 * Math.cos(a)] }));
+    const start = [-1, 1];
+    const checked = (world, ball, slide, InvalidValue) => {
+      equal(slide(undefined), slide({ casts: 6 }), "the usual number");
+      ok(JSON.stringify(slide({ casts: 4 })) !== JSON.stringify(slide({ casts: 6 })), "that it matters");
+      equal(slide({ casts: 4 }).touched.length, 4, "one obstacle a cast");
+      const { end, left } = slide(undefined);
+      ok(Math.hypot(...left) > 0.1, "there is more to go");
+      close(world.nearest(ball, end, 1)[0].distance.distance, 0, 1e-4, "at a floor, and in none");
+      throws(() => slide({ casts: 0 }), "casts: expected a number >= 1, got 0", InvalidValue);
+    };
+    for (const { World, HalfSpace, Sphere, InvalidValue } of [graze, double, queries]) {
+      const world = new World();
+      const ball = new Sphere(0.5);
+      for (const { a, translation } of floors)
+        world.add({
+          shape: new HalfSpace(), fixed: true, translation: [...translation, 0],
+          rotation: [0, 0, Math.sin(a / 2), Math.cos(a / 2)] });
+      checked(world, ball, (options) => world.slide(ball, { translation: [...start, 0] }, [20, -2, 0], options), InvalidValue);
+    }
+    for (const { plane, InvalidValue } of [graze, double]) {
+      const world = new plane.World();
+      const ball = new plane.Circle(0.5);
+      for (const { a, translation } of floors)
+        world.add({ shape: new plane.HalfPlane(), fixed: true, translation, rotation: a });
+      checked(world, ball, (options) => world.slide(ball, { translation: start }, [20, -2], options), InvalidValue);
+    }
+  }],
+
   ["a simulation", ({ graze, double }) => {
     for (const entry of [graze, double]) {
       const simulation = new entry.Simulation({ gravity: [0, -10, 0] });
@@ -629,6 +676,19 @@ export const checks = [
       const [x, , , w] = turn;
       close([translation[1] + (w * w - x * x), translation[2] + 2 * w * x], [5, 0], 0.02, "hinge");
       ok(simulation.jointImpulses(hinge).length >= 5, "rows");
+      const known = simulation.joint(hinge);
+      equal([simulation.joints(), known.a, known.b, known.frameA.translation], [[hinge], floor, crate, [0, 5, 0]], "the joint");
+      equal(known.limits.map(({ space, axes, min, max }) => [space, axes.join(""), min, max]),
+            [["linear", "xyz", 0, 0], ["angular", "yz", 0, 0]], "the limits of a hinge");
+      equal(known.drives.map(({ axis, mode, velocityTarget }) => [axis, mode, velocityTarget]), [["x", "force", 1]], "drive");
+      simulation.removeJoint(simulation.addJoint(known));
+      ok(simulation.subSteps(crate) >= 4, "sub-steps");
+      const [here, hash] = [simulation.save(), simulation.stateHash()];
+      simulation.step(1 / 60);
+      ok(typeof hash === "bigint" && simulation.stateHash() !== hash, "another state");
+      simulation.restore(here);
+      equal(simulation.stateHash(), hash, "the hash of the state again");
+      here.dispose();
       simulation.removeJoint(hinge);
       simulation.remove(crate);
       equal(simulation.world.size, 1, "bodies");
@@ -675,6 +735,20 @@ export const checks = [
     close(Object.values(box.massProperties()), [2, [0, 0], 2 * 5 / 12], 1e-12, "mass in the plane");
     equal(plane.closest(box, {}, [3, 0]).distance, 2.5, "closest in the plane");
     close(plane.poseAt({ linear: [2, 0], angular: 1 }, 0.5).rotation, 0.5, 1e-12, "pose in the plane");
+    const beside = { translation: [2, 0] };
+    equal([plane.within(box, {}, circle, beside, 1), plane.within(box, {}, circle, beside, 0.5)], [true, false], "within");
+    equal(plane.distanceUpTo(box, {}, circle, beside, 0.5), null, "further than the limit");
+    equal(plane.distanceUpTo(box, {}, circle, beside, 1), plane.distance(box, {}, circle, beside), "within the limit");
+    equal(plane.nearPieces(both, {}, circle, beside, 1.25).map(({ pieceA, pieceB, distance }) => [pieceA, pieceB, distance.distance]),
+          [[0, 0, 0], [1, 0, 1]], "pieces");
+    close(circle.support([3, 4]), [0.3, 0.4], 1e-12, "support");
+    equal(box.support([1, 1]), [0.5, 1], "a corner");
+    const path = circle.swept({}, [2, 0]);
+    equal(path.kind, "segment", "a disc sweeps a rounded segment");
+    close(plane.distance(path, {}, circle, { translation: [1, 2] }).distance, 1, 1e-12, "from the middle of the way");
+    throws(() => both.support([1, 0]), "shape: expected a bounded convex shape, got compound", graze.InvalidValue);
+    equal(plane.alongLines([1, -1], [[0, 1]]), [1, 0], "along a line");
+    equal(plane.tessellate(box, { translation: [3, 0] }).points.map(([x, , z]) => [Math.abs(x - 3), z]), Array(4).fill([0.5, 0]), "outline");
     ok(plane.traced.distance(shapes[3][0], {}, box, { translation: [5, 5] }).trace.gjk.length > 0, "trace in the plane");
     const { lower, upper } = new plane.Compound([{ shape: circle, translation: [2, 0] }, { shape: box }]).bounds();
     close([lower, upper], [[-0.5, -1], [2.5, 1]], 1e-12, "compound in the plane");
@@ -725,7 +799,9 @@ export const checks = [
       const kind = world.shape(crate);
       equal(kind.kind, "box", "shape");
       kind.dispose();
-      equal(world.slide, undefined, "sliding is in space");
+      const slide = world.slide(circle, { translation: [-2, 2] }, [1, -4]);
+      close([slide.end.translation, slide.end.rotation, slide.left], [[-1, 0.5], 0, [0, 0]], 1e-4, "slide");
+      equal(slide.touched.map(({ body }) => body), [ground], "along the ground");
       let lines = 0;
       plane.draw.world(world, { size: 5, line: () => ++lines });
       ok(lines > 4, "drawn");
@@ -770,6 +846,9 @@ export const checks = [
       const { translation, rotation } = simulation.pose(crate);
       close([translation[0] - Math.sin(rotation), translation[1] + Math.cos(rotation)], [0, 5], 0.02, "hinge");
       ok(simulation.jointImpulses(hinge).length >= 2, "rows");
+      const known = simulation.joint(hinge);
+      equal([simulation.joints(), known.frameB, known.limits[0].axes], [[hinge], { translation: [0, 1], rotation: 0 }, ["x", "y"]], "the joint");
+      ok(simulation.subSteps(crate) >= 4 && typeof simulation.stateHash() === "bigint", "sub-steps and a hash");
       simulation.removeJoint(hinge);
       simulation.remove(crate);
       equal(simulation.world.size, 1, "bodies");

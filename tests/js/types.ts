@@ -2,22 +2,22 @@
 // runs. What is declared for the answers is what they are annotated with here; calls that must be refused say so.
 
 import {
-  advance, angularVelocity, applyImpulse, Box, BroadPhase, Capsule, captureHead, cast, castAll, castBatch, closest, closestBatch,
-  Compound, contactMargin, contacts, contactsBatch, ConvexHull, Cylinder, distance, distanceBatch, distanceUpTo, draw,
-  Ellipsoid, explain, featureCorners, freeBody, HalfSpace, Handle, HeightField, hullLayers, init, InvalidValue, mayOverlap,
-  memoryInUse, Mesh, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch, passOn, plane, planeScene, poseAt,
-  protocolShape, query, raycast, raycastAll, raycastAny, raycastBatch, Rectangle, replay, response, Segment, Shape,
-  shapeOfProtocol, Simulation, Sphere, State, traced, Triangle, turned, UserConvex, version, within, World,
+  advance, alongPlanes, angularVelocity, applyImpulse, Box, BroadPhase, Capsule, captureHead, cast, castAll, castBatch, closest,
+  closestBatch, compactContactsBatch, Compound, contactMargin, contacts, contactsBatch, ConvexHull, Cylinder, distance,
+  distanceBatch, distanceUpTo, draw, Ellipsoid, explain, featureCorners, freeBody, HalfSpace, Handle, HeightField, hullLayers,
+  init, InvalidValue, mayOverlap, memoryInUse, Mesh, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch, passOn, plane,
+  planeScene, poseAt, protocolShape, query, raycast, raycastAll, raycastAny, raycastBatch, Rectangle, replay, response, Segment,
+  Shape, shapeOfProtocol, Simulation, Sphere, State, tessellate, traced, Triangle, turned, UserConvex, version, within, World,
 } from "graze/double";
 import type {
   Aabb, Batch, Blow, Bodies, Body, BodyId, BroadPhaseKind, Capture, CastHit, CastOptions, Certainty, Child, Closest, Combine,
-  ContactEvent, ContactPoint, Contacts, Distance, DrawLayer, DrawMeaning, DrawnContact, DrawnElement, DrawnSupport,
-  DrawnTrace, Dynamics, Explained, Filter, FreeBody, HullLayer, Impact, Joint, JointDrive, JointId, JointLimit, Manifold, MassProperties, Mat3, Material,
-  MeshFindings, ModuleSource, Motion, Moving, PairContacts, PassedOn, PassOnOptions, PieceDistance, Places, PlaneScene, Points,
-  Pose, PoseLike, ProtocolShape, Quat, QueryFilter, Ray, RayHit, RayOptions, Renderer, ReplayReport, Response, Rows, Scalars,
-  ShapeKind, Sides, SimulationSettings, SolverPoint, StepReport, StruckBody, StruckContact, SupportTrace, Trace, Traced,
-  TraceAxis, TraceCut, TraceEpa, TraceGjk, TraceSpan, TraceStep, TraceSupport, Vec2, Vec3, Vec3Like, WorldManifold, WorldPair,
-  WorldQueries, WorldSettings,
+  CompactManifold, CompactPoint, ContactEvent, ContactPoint, Contacts, Distance, DrawLayer, DrawMeaning, DrawnContact,
+  DrawnElement, DrawnSupport, DrawnTrace, Dynamics, Explained, Filter, FreeBody, HullLayer, Impact, Joint, JointDrive, JointId,
+  JointLimit, Manifold, MassProperties, Mat3, Material, MeshFindings, ModuleSource, Motion, Moving, PairContacts, PassedOn,
+  PassOnOptions, PieceDistance, Places, PlaneScene, Points, Polygons, Pose, PoseLike, ProtocolShape, Quat, QueryFilter, Ray,
+  RayHit, RayOptions, Renderer, ReplayReport, Response, Rows, Scalars, ShapeKind, Sides, SimulationSettings, SolverPoint,
+  StepReport, StruckBody, StruckContact, SupportTrace, Trace, TraceAxis, TraceCut, Traced, TraceEpa, TraceGjk, TraceSpan,
+  TraceStep, TraceSupport, Vec2, Vec3, Vec3Like, WorldManifold, WorldPair, WorldQueries, WorldSettings,
 } from "graze/double";
 import * as whole from "graze";
 import * as small from "graze/queries";
@@ -95,6 +95,9 @@ const manifold: Manifold = given(found.manifolds[0], "a manifold");
 const point: ContactPoint = given(manifold.points[0], "a point");
 const named: Vec3[] = featureCorners(box, point.feature >>> 16);
 const nearest: Closest = closest(box, here, [0, 3, 0]);
+const left: Vec3 = alongPlanes([1, -1, 0], [[0, 1, 0]]);
+const faces: Polygons = tessellate(box, here, { center: [0, 0, 0], size: 2 });
+expect(left[0] === 1 && faces.loops.length === 6, "what is left of a motion, and faces");
 expect(pieces.length === 1 && named.length <= 4 && nearest.distance === 2 && contactMargin(box, ball) > 0, "answers");
 const ray: Ray = { origin: [-3, 0, 0], direction: [1, 0, 0], length: 10 };
 const rayOptions: RayOptions = { backFaces: "ignored" };
@@ -117,6 +120,10 @@ expect(overlapBatch(many, many, places).join() === "1,0", "one of two touches");
 const distances: Batch<Distance> = distanceBatch(many, many, places);
 const rows: Rows<Distance> = distances;
 expect(rows.at(1).distance === 3 && [...distances].length === 2, "rows");
+const compact = compactContactsBatch(many, many, 0, places);
+const compactManifolds: Rows<CompactManifold> = compact.manifolds;
+const compactPoints: Rows<CompactPoint> = compact.points;
+expect(compactManifolds.at(0).pair === 0 && compactPoints.at(0).distance === -2, "in few bytes");
 const together: PairContacts[] = contactsBatch(many, many, 0, places);
 const piecesOf: PieceDistance[][] = nearPiecesBatch(many, many, 9, places);
 const closestOnes: Batch<Closest> = closestBatch(box, here, [[0, 3, 0], [0, 4, 0]]);
@@ -172,6 +179,8 @@ const solved: SolverPoint = given(manifolds[0]?.points[0], "a point");
 const events: ContactEvent[] = asked.events();
 const impacts: Impact[] = asked.impacts();
 const questions: QueryFilter = { triggers: true, accept: (id: BodyId) => id.index === resting.index };
+const slid: Vec3 = asked.slide(ball, { translation: [5, 2, 0] }, [0, -1, 0], { casts: 2 }).end.translation;
+expect(slid[1] === 1, "a slide");
 expect(solved.impulse[1] === 0 && events[0]?.kind === "begin" && impacts.length === 0, "what touches");
 expect(asked.overlapping(box, here, questions).length === 1 && asked.contains(ground), "what is there");
 // @ts-expect-error a handle, not an index
@@ -207,6 +216,10 @@ const state: State = kept(simulation.save());
 simulation.step(1 / 60);
 const report: StepReport = simulation.report();
 expect(report.awake === 2 && simulation.jointImpulses(id).length > 0, "a step");
+const known: Joint = simulation.joint(given(simulation.joints()[0], "a joint"));
+const hash: bigint = simulation.stateHash();
+const subSteps: number = simulation.subSteps(joint.a);
+expect(known.limits?.length === 1 && hash >= 0n && subSteps > 0, "what is known of a simulation");
 simulation.restore(state);
 const played: ReplayReport = replay(parts.reduce((all, bytes) => new Uint8Array([...all, ...bytes])));
 expect(played.difference === null && captureHead(given(parts[0], "a head")).simulation, "the run again");
@@ -250,6 +263,14 @@ expect(planeHit.t === 2 && planeMet.t > 0 && plane.overlap(square, {}, disk, bes
 expect(plane.raycastAny(square, {}, planeRay) && plane.raycastAll(square, {}, planeRay).length === 1, "rays of the plane");
 expect(plane.castAll({ shape: square }, planeMoving, castOptions).length === 1, "casts of the plane");
 expect(plane.poseAt(planeMoving, 1).translation[0] === 0 && plane.contactMargin(square, disk) > 0, "poses of the plane");
+const planePieces: plane.PieceDistance[] = plane.nearPieces(square, {}, disk, beside, 1);
+const planeNear: plane.Distance | null = plane.distanceUpTo(square, {}, disk, beside, 1);
+const planeLeft: Vec2 = plane.alongLines([1, -1], [[0, 1]]);
+const planeOutline: Polygons = plane.tessellate(square, beside);
+const planeWay: plane.Shape = kept(disk.swept({}, [1, 0]));
+const planeTip: Vec2 = square.support([1, 1]);
+expect(plane.within(square, {}, disk, beside, 0) && planePieces.length === 1 && planeNear !== null, "near in the plane");
+expect(planeLeft[0] === 1 && planeOutline.loops.length === 1 && planeWay.kind === "segment" && planeTip[0] === 1, "its words");
 expect(plane.featureCorners(square, planePoint.feature >>> 16).length > 0, "corners of the plane");
 const planeMany: plane.Bodies = { shapes: square, poses: [0, 0, 1, 0, 5, 0, 1, 0] };
 expect(plane.overlapBatch(planeMany, planeMany, places).join() === "1,0", "a batch of the plane");
@@ -271,6 +292,8 @@ const planeAsked: plane.WorldQueries = planeWorld;
 const planePairs: plane.WorldPair[] = planeAsked.contacts();
 const planePoints: Rows<plane.SolverPoint> = planeAsked.points();
 const planeImpacts: plane.Impact[] = planeAsked.impacts();
+const planeSlid: Vec2 = planeAsked.slide(disk, { translation: [9, 9] }, [0, -1]).end.translation;
+expect(planeSlid[1] === 8, "a slide in the plane");
 expect(planePairs.length + planePoints.length + planeImpacts.length === 0, "nothing touches");
 const planeStruck: plane.StruckBody = { mass: 1, shape: disk, linear: [0, -1] };
 const planeMotion: plane.Motion = plane.applyImpulse(planeStruck, [0, 2], [0, 0]);
@@ -289,6 +312,9 @@ planeSimulation.addJoint(planeJoint);
 const planeState: plane.State = kept(planeSimulation.save());
 planeSimulation.step(1 / 60);
 const planeReport: plane.StepReport = planeSimulation.report();
+const planeKnown: plane.Joint = planeSimulation.joint(given(planeSimulation.joints()[0], "a joint"));
+const planeHash: bigint = planeSimulation.stateHash();
+expect(planeKnown.a.index === hanging.index && planeHash >= 0n && planeSimulation.subSteps(falling) > 0, "what is known");
 planeSimulation.restore(planeState);
 expect(planeReport.awake === 1, "a step of the plane");
 plane.draw.distance(planeApart, renderer);

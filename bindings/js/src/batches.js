@@ -167,6 +167,14 @@ export function batches(core, layout, dimension, Rows, Handle) {
       const question = [moving(a, "a"), 0, moving(b, "b"), 0, a.length, options?.duration ?? 1, ask.separating(options)];
       return foundOf(types.castHit, a.length, (found, p) => call("cast_batch", ...question, found, 0, p, 0));
     },
+    compactContactsBatch(a, b, margin = 0, places = undefined) {
+      const { pointer } = batch(a, b, places);
+      const { manifolds, manifoldCount, points, pointCount } = args.answered(layout.compactContacts, (p) =>
+        call("compact_contacts_batch", pointer, margin, ask.room(), p));
+      return {
+        manifolds: new Rows(layout.compactManifold, () => manifolds, manifoldCount),
+        points: new Rows(layout.compactPoint, () => points, pointCount) };
+    },
     nearPiecesBatch(a, b, margin, places) {
       const { pointer, length } = batch(a, b, places);
       const ends = core.room(4);

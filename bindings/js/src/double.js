@@ -7,10 +7,11 @@ const { names, core } = wholeEntry("d", () => new URL("./graze-double.wasm", imp
 export const {
   init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle, Cylinder,
   Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap, mayOverlap,
-  distance, distanceUpTo, within, nearPieces, contacts, contactMargin, featureCorners, closest, raycast, raycastAny,
-  raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch, castBatch,
-  nearPiecesBatch, BroadPhase, World, hullLayers, protocolShape, shapeOfProtocol, traced, draw, response, applyImpulse,
-  passOn, freeBody, advance, angularVelocity, Simulation, State, captureHead, replay, plane,
+  distance, distanceUpTo, within, nearPieces, alongPlanes, contacts, contactMargin, featureCorners, closest, raycast,
+  raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, compactContactsBatch,
+  closestBatch, raycastBatch, castBatch, nearPiecesBatch, BroadPhase, World, hullLayers, tessellate, protocolShape,
+  shapeOfProtocol, traced, draw, response, applyImpulse, passOn, freeBody, advance, angularVelocity, Simulation, State,
+  captureHead, replay, plane,
 } = names;
 
 const encoder = new TextEncoder();

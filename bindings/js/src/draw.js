@@ -119,6 +119,23 @@ export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
   };
 }
 
+/** Shapes as loops of points. */
+export function tessellations(core, layout, { prefix, types, args, of, pose, ask }) {
+  const origin = new Array(types.vector.size / core.numberSize).fill(0);
+  return {
+    tessellate(shape, at, { center = origin, size = 1 } = {}) {
+      const about = args.written(types.vector, center, "center");
+      const { points, pointCount, corners, ends, loopCount, smooth, closed } = args.answered(layout.polygons, (p) =>
+        core.call(`${prefix}shape_tessellate`, of(shape), pose(at, "pose"), about, size, ask.room(), p));
+      const last = layout.readAll(layout.u32, ends, loopCount);
+      const all = layout.readAll(layout.u32, corners, last.at(-1) ?? 0);
+      return {
+        points: layout.readAll(layout.realVector, points, pointCount),
+        loops: last.map((end, i) => all.slice(i === 0 ? 0 : last[i - 1], end)), smooth, closed };
+    },
+  };
+}
+
 /** Drawing of a dimension's worlds and simulations. */
 export function worldDrawings(core, layout, { prefix, types, pose }, worlds, { Simulation }, Handle) {
   const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);

@@ -115,6 +115,7 @@ export function layouts(core) {
       solverPoint: struct({ ...contactPoint, impulse: vector }),
       impact: struct({ a: id, b: id, trigger: bool, hit: castHit }),
       bodyDistance: struct({ body: id, distance }),
+      pieceDistance: struct({ pieceA: u32, pieceB: u32, distance }),
       bodyRayHit: struct({ body: id, hit: rayHit }),
       bodyCastHit: struct({ body: id, hit: castHit }),
       simulationSettings: struct({
@@ -139,7 +140,7 @@ export function layouts(core) {
     inertia: mat3 });
 
   return {
-    u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, id, filter, contacts, support, pair,
+    u8, i32, u32, u64, num, real, bool, vec3, vec2, quat, mat3, id, filter, contacts, support, pair,
     several, struct, realVector,
     ...ofSpace,
     plane: {
@@ -152,9 +153,11 @@ export function layouts(core) {
     supportLayer: struct({ vertices: u32, lookedAt: u32, along: u32, lookedAtCount: u32, winner: u32 }),
     supportTrace: struct({ layers: u32, layerCount: u32, scanned: bool, vertex: u32, products: u32 }),
     massProperties: struct({ volume: num, center: vec3, inertia: mat3 }),
-    pieceDistance: struct({ pieceA: u32, pieceB: u32, distance: ofSpace.distance }),
     batchContacts: struct({
       pairs: u32, pairCount: u32, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),
+    compactContacts: struct({ manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),
+    compactManifold: struct({ normal: vec3, pair: u32, firstPoint: u32, pointCount: u32 }),
+    compactPoint: struct({ position: vec3, distance: num }),
     bodies: struct({
       shapes: u32, shapeStride: u32, shapeCount: u32, translations: u32, translationStride: u32, rotations: u32,
       rotationStride: u32, poseCount: u32 }),
@@ -187,6 +190,8 @@ export function layouts(core) {
     replayReport: struct({
       simulation: bool, plane: bool, cut: bool, differs: bool, frame: u32, call: u32, what: several(u8, 128), frames: u32,
       calls: u32 }),
+    polygons: struct({
+      points: u32, pointCount: u32, corners: u32, ends: u32, loopCount: u32, smooth: bool, closed: bool }),
     debugDraw: struct({
       layers: u32, center: realVector, size: real, point: u32, line: u32, triangle: u32, text: u32, arrow: u32,
       user: u32 }),

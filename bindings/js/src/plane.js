@@ -2,7 +2,7 @@
 
 import { batches } from "./batches.js";
 import { InvalidValue, shown } from "./core.js";
-import { drawings, worldDrawings } from "./draw.js";
+import { drawings, tessellations, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
 import { protocolShapes } from "./protocol_shapes.js";
@@ -49,12 +49,19 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       return core.frame(() =>
         answered(types.aabb, (p) => core.call("plane_shape_bounds", of(this), pose(at, "pose"), p)));
     }
+    support(direction) {
+      return core.frame(() =>
+        answered(layout.vec2, (p) => core.call("plane_shape_support", of(this), vec2(direction, "direction"), p)));
+    }
     massProperties() {
       return core.frame(() =>
         answered(types.massProperties, (p) => core.call("plane_shape_mass_properties", of(this), p)));
     }
     rounded(rounding) {
       return new Shape(made("rounded", () => [of(this), rounding]));
+    }
+    swept(at, motion) {
+      return new Shape(made("swept", () => [of(this), pose(at, "pose"), vec2(motion, "motion")]));
     }
   }
   const of = (shape, path = "shape") => Handle.pointer(shape, path, Shape);
@@ -144,7 +151,8 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const worlds = worldClasses(core, layout, dimension, Rows, Handle);
   const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
 
-  const { nearPiecesBatch, ...batched } = batches(core, layout, dimension, Rows, Handle); // which only space has
+  // The first two are of space alone.
+  const { nearPiecesBatch, compactContactsBatch, ...batched } = batches(core, layout, dimension, Rows, Handle);
   const inverseMass = (body, path) => {
     const { mass, inertia, shape } = body;
     if (!(mass > 0)) throw new InvalidValue(`${path}.mass: expected a number > 0, got ${shown(mass)}`);
@@ -168,6 +176,11 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       ...batched,
       ...passing(core, layout, motion),
       ...freeMotion(core, layout, motion),
+      ...tessellations(core, layout, dimension),
+      alongLines(motion, normals) {
+        const question = [vec2(motion, "motion"), ...outline(normals, "normals")];
+        return answered(layout.vec2, (p) => ask.call("along_lines", ...question, p));
+      },
       poseAt(body, t) {
         const { linear, angular } = body;
         const velocity = written(types.velocity, { linear, angular }, "velocity");

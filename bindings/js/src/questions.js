@@ -107,6 +107,11 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
       call("contacts_reduced", ...two(a, poseA, b, poseB), margin, most, room(), p);
       return contactsAt(p);
     },
+    within: (a, poseA, b, poseB, limit) => yes("within", ...two(a, poseA, b, poseB), limit),
+    distanceUpTo: (a, poseA, b, poseB, limit) =>
+      found(types.distance, (there, p) => call("distance_up_to", ...two(a, poseA, b, poseB), limit, there, p)),
+    nearPieces: (a, poseA, b, poseB, margin) =>
+      listed(types.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
     contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
     featureCorners(shape, feature, piece = 0) {
       if (!Number.isInteger(feature) || feature < 0 || feature > 0xffff)
@@ -151,19 +156,18 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
 /** The queries that only space has, on top of those of both dimensions. */
 export function spaceQuestions(core, layout, args, shapes) {
   const { of } = shapes;
-  const { written, answered, pose } = args;
+  const { written, answered, pose, rows, vec3 } = args;
   const ask = questions(core, layout, { prefix: "", types: layout, args, of, pose });
-  const { call, two, yes, listed, room, found } = ask;
+  const { call, two, yes } = ask;
 
   const plain = ask.framed({
     ...ask.asked,
     ...ask.untraced,
     mayOverlap: (a, poseA, b, poseB) => yes("may_overlap", ...two(a, poseA, b, poseB)),
-    within: (a, poseA, b, poseB, limit) => yes("within", ...two(a, poseA, b, poseB), limit),
-    distanceUpTo: (a, poseA, b, poseB, limit) =>
-      found(layout.distance, (there, p) => call("distance_up_to", ...two(a, poseA, b, poseB), limit, there, p)),
-    nearPieces: (a, poseA, b, poseB, margin) =>
-      listed(layout.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
+    alongPlanes(motion, normals) {
+      const { pointer, count } = rows(normals, 3, "normals");
+      return answered(layout.vec3, (p) => call("along_planes", vec3(motion, "motion"), pointer, 0, count, p));
+    },
     poseAt({ linear, angular, ...body }, t) {
       const velocity = written(layout.velocity, { linear, angular }, "velocity");
       return answered(layout.pose, (p) => call("pose_at", pose(body, "pose"), velocity, t, p));

@@ -10,7 +10,7 @@ const jointKinds = ["fixed", "ball", "hinge", "slider"];
 
 /** The simulations of a dimension, whose turnings are written by `turning`. */
 export function simulationClasses(core, layout, dimension, worlds, Handle) {
-  const { prefix, types, args, pose, shown: shownPose, turning } = dimension;
+  const { prefix, types, args, pose, shown: shownPose, turning, ask } = dimension;
   const { written, answered } = args;
   const { idAt, bodyAt, questionable } = worlds;
   const call = (name, ...parameters) => core.call(`${prefix}simulation_${name}`, ...parameters);
@@ -48,6 +48,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     stiffness: value.stiffness ?? 0,
     damping: value.damping ?? 0,
   });
+  const shownLimit = ({ axes: held, ...bounds }) => ({ ...bounds, axes: axes.filter((_, i) => held[i]) });
   const drive = (value) => ({
     mode: "force", positionTarget: 0, velocityTarget: 0, stiffness: 0, damping: 0, maxForce: Infinity, ...value });
   const jointAt = (value) => {
@@ -167,6 +168,22 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     asleep(id) {
       return core.frame(() => answered(layout.bool, (p) => call("asleep", at(this), idAt(id, "body"), p)));
     }
+    subSteps(id) {
+      return core.frame(() => answered(layout.i32, (p) => call("sub_steps", at(this), idAt(id, "body"), p)));
+    }
+    joints() {
+      return core.frame(() => ask.listed(layout.id, (...to) => call("joints", at(this), ...to)));
+    }
+    joint(id) {
+      return core.frame(() => {
+        const { frameA, frameB, limits, limitCount, drives, driveCount, ...joint } = answered(types.joint, (p) =>
+          call("joint", at(this), idAt(id, "joint"), ask.room(), p));
+        return {
+          ...joint, frameA: shownPose(frameA), frameB: shownPose(frameB),
+          limits: layout.readAll(layout.jointLimit, limits, limitCount).map(shownLimit),
+          drives: layout.readAll(layout.jointDrive, drives, driveCount) };
+      });
+    }
     jointImpulses(id) {
       return core.frame(() => {
         const first = core.room(4);
@@ -177,6 +194,9 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     }
     report() {
       return core.frame(() => answered(types.stepReport, (p) => call("report", at(this), p)));
+    }
+    stateHash() {
+      return core.frame(() => answered(layout.u64, (p) => call("state_hash", at(this), p)));
     }
     save() {
       return new State(core.frame(() => answered(layout.u32, (p) => call("save", at(this), p))));

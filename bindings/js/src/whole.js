@@ -1,6 +1,6 @@
 // An entry with all parts: traces, blows, simulation and the plane on top of queries and worlds.
 
-import { drawings, spaceDrawings, worldDrawings } from "./draw.js";
+import { drawings, spaceDrawings, tessellations, worldDrawings } from "./draw.js";
 import { queriesEntry } from "./entry.js";
 import { replays } from "./capture.js";
 import { hullLayering } from "./hulls.js";
@@ -25,6 +25,7 @@ export function wholeEntry(scalar, address) {
       ...simulations,
       ...replays(core, layout, worlds, ofPlane.worlds),
       hullLayers,
+      ...ask.framed(tessellations(core, layout, dimension)),
       protocolShape: protocolShapes(core, "shape_text", shapes.of),
       ...(readsProtocol ? { shapeOfProtocol: shapesOfProtocol(core, "shape_of_text", names.Shape) } : {}),
       traced: { ...ask.traced(), support: tracedSupport },

@@ -3,6 +3,9 @@
 import { created } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
 
+/** The casts of a slide, at most, as `SlideOptions` of C++ has them. */
+const usualCasts = 6;
+
 const integers = (value, path) => {
   if (typeof value === "bigint" || (Number.isSafeInteger(value) && value >= 0)) return BigInt(value);
   throw new InvalidValue(`${path}: expected an integer >= 0 or a bigint, got ${shown(value)}`);
@@ -139,20 +142,18 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         listed(
           types.bodyCastHit, "cast_all", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f,
           ask.separating(options))),
-    memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
-  });
-  /** The queries that only space has: bodies slide along others. */
-  const slides = (pointer) => ({
     slide: (shape, at, motion, options) =>
       filtered(options, (f) => {
         const end = core.room(types.pose.size);
-        const left = core.room(layout.vec3.size);
+        const left = core.room(types.vector.size);
+        const way = written(types.vector, motion, "motion");
         const touched = ask.listed(types.bodyCastHit, (buffer, first, count) =>
           call(
-            "slide", pointer(), of(shape), pose(at, "pose"), args.vec3(motion, "motion"), options?.casts ?? 6, f, buffer, end,
-            left, first, count));
-        return { end: types.pose.read(end), left: layout.vec3.read(left), touched };
+            "slide", pointer(), of(shape), pose(at, "pose"), way, options?.casts ?? usualCasts, f, buffer, end, left,
+            first, count));
+        return { end: shownPose(types.pose.read(end)), left: types.vector.read(left), touched };
       }),
+    memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
   });
   /** The function that returns the pointer of the world, for each object with those queries. */
   const pointers = new WeakMap();
@@ -163,7 +164,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   };
   /** Gives `target` those queries as methods. */
   const questionable = (target, pointer) => {
-    const { size, ...methods } = { ...asked(pointer), ...(prefix === "" ? slides(pointer) : {}) };
+    const { size, ...methods } = asked(pointer);
     const framed = ask.framed({ size, ...methods });
     for (const name of Object.keys(methods)) Object.defineProperty(target, name, { value: framed[name] });
     Object.defineProperty(target, "size", { get: framed.size });
