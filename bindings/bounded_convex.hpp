@@ -1,7 +1,7 @@
 // Shapes with support points, of either space: what a language's `support` takes.
 //
-// Guarantee: the shape itself. Throws `InvalidValue` for a shape that is not convex or reaches to infinity, for which the
-// C++ functions return the origin.
+// Guarantee: the shape itself. Throws `InvalidValue` for a shape that is not convex or reaches to infinity, for which
+// the C++ functions return the origin.
 #pragma once
 
 #include <type_traits>
