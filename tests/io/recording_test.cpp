@@ -20,10 +20,10 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 /// A folder of its own for each test, removed at its end.
-class RecordingTest : public testing::Test {
+class RecordingTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder = fs::temp_directory_path() / ("graze_recording_" + std::to_string(getpid()) + "_" + test->name());
     fs::create_directories(folder);
   }

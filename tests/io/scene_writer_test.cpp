@@ -71,7 +71,7 @@ struct Glb {
 struct Folder {
   fs::path path;
   Folder() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     path = fs::temp_directory_path() / ("graze_writer_" + std::string(test->name()));
     fs::create_directories(path);
   }

@@ -33,7 +33,7 @@ TileJson ball_tile(const std::string& system) {
 }
 
 /// Two tiles, the second turned by a right angle about Y.
-class Tiles : public testing::Test {
+class Tiles : public ::testing::Test {
  protected:
   void SetUp() override {
     std::filesystem::create_directories(folder_ / "tiles");
@@ -64,8 +64,8 @@ class Tiles : public testing::Test {
   }
 
   std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                  ("graze_tiles_" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+                                  ("graze_tiles_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
+                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
   TileJson whole_;
 };
 
