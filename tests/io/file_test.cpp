@@ -20,7 +20,8 @@ std::string bytes_of(const fs::path& file) {
 
 /// A folder of its own, gone with the test.
 struct WholeFiles : ::testing::Test {
-  WholeFiles() : folder(fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name()) {
+  WholeFiles()
+      : folder(fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name()) {
     fs::remove_all(folder);
     fs::create_directories(folder);
   }
