@@ -31,7 +31,10 @@ class MovingRun {
   void add(Hash& hash) {
     constexpr int kinds = 9;
     for (int i = 0; i < 3 * kinds; ++i) add_mass(hash, shape(i % kinds));
-    for (int i = 0; i < 40 * kinds; ++i) add_cast(hash, shape(i % kinds), shape(i / 4 % kinds));
+    for (int i = 0; i < 40 * kinds; ++i) {
+      const Shape<T> b = shape(i / 4 % kinds), a = shape(i % kinds);  // in this order, whatever the compiler's
+      add_cast(hash, a, b);
+    }
     add_simulation(hash);
   }
 

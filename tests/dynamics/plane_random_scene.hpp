@@ -141,7 +141,8 @@ class RandomScene {
     const Shape<T> what = shape();
     const Pose2<T> pose{at + off, rotation()};
     const Vec2<T> linear = vector(T(-2), T(2));
-    bodies_.push_back(s_.add({what, pose, linear, number(T(-5), T(5))}, {}, material()));
+    const Material<T> of = material();  // before the last number, whatever the compiler's order of arguments
+    bodies_.push_back(s_.add({what, pose, linear, number(T(-5), T(5))}, {}, of));
   }
 
   Simulation<T>& s_;
