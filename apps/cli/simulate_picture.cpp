@@ -1,7 +1,7 @@
 #include "simulate_picture.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "graze/io/collide.hpp"
 #include "graze/io/file.hpp"
@@ -27,12 +27,17 @@ Aabbd bounds_of(const AnyScene& scene) {
   return all;
 }
 
-const Posed& pose_of_body(const io::Scene& scene, std::uint32_t body) { return scene.bodies[body].pose; }
+/// The poses of all bodies as the scene begins.
+std::vector<Posed> poses_of_bodies(const io::Scene& scene) {
+  std::vector<Posed> poses;
+  for (const io::Body& body : scene.bodies) poses.push_back(body.pose);
+  return poses;
+}
 /// A body of the plane is where its first collider is.
-const plane::Pose2d& pose_of_body(const io::PlaneScene& scene, std::uint32_t body) {
-  return std::find_if(scene.colliders.begin(), scene.colliders.end(),
-                      [&](const io::PlaneCollider& c) { return c.body == body; })
-      ->pose;
+std::vector<plane::Pose2d> poses_of_bodies(const io::PlaneScene& scene) {
+  std::vector<plane::Pose2d> poses(scene.bodies.size());
+  for (auto c = scene.colliders.rbegin(); c != scene.colliders.rend(); ++c) poses[c->body] = c->pose;
+  return poses;
 }
 
 const Posed& pose_of(const io::BodyState& state) { return state.pose; }
@@ -47,13 +52,14 @@ AnyScene moved_to(const AnyScene& scene, const Frame& frame) {
   moved.colliders.clear();
   const Aabbd around = bounds_of(scene);
   const Vec3d size = around.extent();
+  const auto begun = poses_of_bodies(scene);
+  auto ended = begun;
   const auto moving = io::moving_bodies(scene);
+  for (std::size_t i = 0; i < moving.size(); ++i) ended[moving[i]] = pose_of(frame.bodies[i]);
+  std::vector<bool> moves(begun.size());
+  for (const std::uint32_t body : moving) moves[body] = true;
   for (auto c : scene.colliders) {
-    const auto at = std::find(moving.begin(), moving.end(), c.body);
-    if (at != moving.end()) {
-      const auto& state = frame.bodies[static_cast<std::size_t>(at - moving.begin())];
-      c.pose = compose(pose_of(state), relative(pose_of_body(scene, c.body), c.pose));
-    }
+    if (moves[c.body]) c.pose = compose(ended[c.body], relative(begun[c.body], c.pose));
     const Vec3d past = origin_of(c) - around.center();
     if (std::abs(past.x) <= size.x && std::abs(past.y) <= size.y && std::abs(past.z) <= size.z)
       moved.colliders.push_back(std::move(c));

@@ -35,7 +35,7 @@ class FlatFaces {
   /// the shapes are known to touch. Where they are not, the body has to be clear of the plane, and with it of the
   /// triangle.
   bool passes_over(std::uint32_t triangle, const Corners<T>& corners, const Part<T>& body, bool touching) const;
-  /// The same of a pair of pieces.
+  /// Whether the triangle of a pair of pieces needs no contact of its own with the pair's body.
   bool passes_over(const Part<T>& a, const Part<T>& b, bool touching) const;
 
   /// The fate of a piece's contact: it stays; it becomes the whole face's, the first time; or it is left out.

@@ -45,24 +45,18 @@ void ask(const ResponseQuestion<T>& q, Explanation& e) {
                 widened(answer_response(q))};
 }
 
-const char* sentence_of(AtFault fault) {
-  switch (fault) {
-  case AtFault::a: return "A runs into B";
-  case AtFault::b: return "B runs into A";
-  case AtFault::both: return "each runs into the other";
-  case AtFault::neither: break;
-  }
-  return "neither runs into the other";
-}
+struct FaultWords {
+  const char *word, *sentence;
+};
 
-const char* word_of(AtFault fault) {
+FaultWords words_of(AtFault fault) {
   switch (fault) {
-  case AtFault::a: return "A";
-  case AtFault::b: return "B";
-  case AtFault::both: return "both";
+  case AtFault::a: return {"A", "A runs into B"};
+  case AtFault::b: return {"B", "B runs into A"};
+  case AtFault::both: return {"both", "each runs into the other"};
   case AtFault::neither: break;
   }
-  return "neither";
+  return {"neither", "neither runs into the other"};
 }
 
 std::string number_text(double number) { return std::isinf(number) ? "infinity" : fmt::format("{:.5g}", number + 0.0); }
@@ -96,7 +90,7 @@ Explanation explain_response(const JsonValue& json, Precision precision) {
   precision == Precision::double_precision ? ask(q, e) : ask(read_response<float>(json), e);
   e.query = "response";
   e.trace.method = "impulse";
-  e.trace.reason = sentence_of(e.response->result.at_fault);
+  e.trace.reason = words_of(e.response->result.at_fault).sentence;
   if (e.dimension == 2) {
     e.plane_a = read_struck_plane_shape(json.at("a"));
     e.plane_b = read_struck_plane_shape(json.at("b"));
@@ -121,7 +115,7 @@ std::vector<Quantity> quantities_of_blow(const Explanation& e) {
           {"impulse to end that", of(r.stopping_impulse)},
           {"friction up to", {r.friction_limit}},
           {"friction", of(r.friction_impulse)},
-          {"at fault", {}, word_of(r.at_fault)}};
+          {"at fault", {}, words_of(r.at_fault).word}};
 }
 
 std::vector<Quantity> effects_of_blow(const Explanation& e) {

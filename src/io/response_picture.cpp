@@ -2,7 +2,6 @@
 // impulse and Coulomb's cone all lie in the picture.
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "io/explain_parts.hpp"
@@ -14,7 +13,8 @@ namespace graze::io {
 
 namespace {
 
-/// The part of an impulse below which its direction is rounding.
+/// The part of an impulse, velocity or turn below which its direction is rounding: that of a float, 6e-8, after a dozen
+/// operations.
 constexpr double seen_part = 1e-6;
 /// Lengths of the longest velocity and of the longest impulse, and the radius of a turn, as parts of the bodies' size.
 constexpr double longest_velocity = 0.34, longest_impulse = 0.3, turn_radius = 0.13;
@@ -57,8 +57,8 @@ std::string pixel_arrow(double x0, double y0, double x1, double y1, const std::s
 /// The scene of a blow: what is drawn of the bodies, and how long velocities and impulses are.
 class BlowScene {
  public:
-  BlowScene(const Explanation& e, const Vec3d& toward)
-      : blow_(*e.response), bodies_(e), toward_(normalized(toward)), size_(fitted()) {
+  BlowScene(const Explanation& e, const Vec3d& toward) : blow_(*e.response), bodies_(e), toward_(normalized(toward)) {
+    fit();
     const Response<double>& r = blow_.result;
     const auto longest = [](std::initializer_list<Vec3d> vectors) {
       double most = 0;
@@ -113,8 +113,8 @@ class BlowScene {
   Vec3d ground_direction() const { return normalized(cross(toward_, blow_.contact.normal)); }
   Polygons polygons(bool b) const { return bodies_.polygons(b, 0, point(), 0.7 * size_); }
 
-  /// Gathers the points that have to be seen, and returns their size.
-  double fitted() {
+  /// Gathers the points of the bodies that have to be seen, and measures them.
+  void fit() {
     Stage stage;
     stage.add(point());
     for (const bool b : {false, true}) {
@@ -128,7 +128,6 @@ class BlowScene {
       const Polygons shape = polygons(b);
       corners_.insert(corners_.end(), shape.points.begin(), shape.points.end());
     }
-    return size_;
   }
 
   /// The contact plane of an immovable body without a shape, hatched on the side of the body.
@@ -214,10 +213,10 @@ class BlowScene {
   const Drawn bodies_;
   Vec3d toward_;
   std::vector<Vec3d> corners_;
-  double size_, per_speed_ = 1, per_impulse_ = 1, fastest_turn_ = 0;
+  double size_ = 1, per_speed_ = 1, per_impulse_ = 1, fastest_turn_ = 0;
 };
 
-/// A number of a list. A component that is only the rounding of larger ones is none.
+/// A number of a list. A component that is only the rounding of larger ones is 0: thousands of times a double's, 1e-16.
 std::string component_text(double number, double largest) {
   constexpr double rounding = 1e-12;
   if (std::isinf(number)) return "infinity";

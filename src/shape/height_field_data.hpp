@@ -88,7 +88,8 @@ struct HeightFieldData {
   bool lies_level(std::uint32_t number) const {
     const std::uint32_t at = number / 2, c = at % (columns - 1), r = at / (columns - 1), odd = number % 2;
     if (c < 1 || r < 1 || c + 2 >= columns || r + 2 >= rows) return false;
-    // Of a step of one cell along x or z, half the sine from the triangle's own: a third leaves room for both at once.
+    // A triangle's slopes along x and along z may be off this one's by a third of the sine each: together by less than
+    // half of it, so that no two of them are off each other by more than all.
     const T most_x = level_sine<T> / T(3) * spacing_x, most_z = level_sine<T> / T(3) * spacing_z;
     const T along_x = height(c + 1, r + odd) - height(c, r + odd),
             along_z = height(c + 1 - odd, r + 1) - height(c + 1 - odd, r);
