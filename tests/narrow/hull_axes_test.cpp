@@ -42,7 +42,7 @@ struct TwoPolyhedra {
   /// At all levels, which are the same; false where they have no answer.
   bool on_lanes(double enough, SeparatingAxes& axes) const {
     const FacetedPair pair{facets_a.view(), facets_b.view(), rotation_matrix(pose.rotation), pose.translation};
-    const bool answered = baseline::hull_axes(pair, enough, axes);
+    const bool answered = GRAZE_KERNEL(Isa::baseline, hull_axes)(pair, enough, axes);
     for (const Isa level : {Isa::avx2, Isa::avx512}) {
       if (!isa_available(level)) continue;
       SeparatingAxes again;

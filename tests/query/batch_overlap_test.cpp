@@ -126,7 +126,7 @@ TEST(BatchOverlap, PortalsTellOfNearlyAllAndTheSameAtEveryLevel) {
   const auto ask = [&]<PortalSide A, PortalSide B>(Kind a, Kind b) {
     const PortalPairs pairs = columns_of(a, b, random);
     std::uint8_t expected[portal_chunk];
-    baseline::mpr_overlaps<A, B>(pairs, portal_chunk, expected);
+    GRAZE_KERNEL(Isa::baseline, mpr_overlaps<A, B>)(pairs, portal_chunk, expected);
     for (const Isa level : {Isa::avx2, Isa::avx512}) {
       if (!isa_available(level)) continue;
       std::uint8_t found[portal_chunk];

@@ -93,7 +93,7 @@ TYPED_TEST(TreeWalks, TellTheSameAtEveryLevelAndLeaveNothingOut) {
           along = normalized(along);
           const rays::LocalRay ray = {to - along * dot(to - center, along), along, -double(size),
                                       i % 2 == 0 ? rays::infinity : double(size) / 3, 0};
-          const Numbers baseline = told(baseline::traverse_bvh<T>, data, ray);
+          const Numbers baseline = told(GRAZE_KERNEL(Isa::baseline, traverse_bvh<T>), data, ray);
           for (const Isa level : {Isa::avx2, Isa::avx512})
             if (isa_available(level)) {
               ASSERT_EQ(told(GRAZE_KERNEL(level, traverse_bvh<T>), data, ray), baseline);
