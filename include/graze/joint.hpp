@@ -40,6 +40,8 @@ struct JointLimit {
   T min = T(0), max = T(0);               ///< min <= max, either may be infinite; equal for what is held
   std::optional<T> stiffness{};           ///< > 0, force per length or torque per radian beyond the bounds; none: hard
   T damping = T(0);                       ///< >= 0, of the soft limit: force per velocity
+
+  friend bool operator==(const JointLimit&, const JointLimit&) = default;
 };
 
 /// Whether a drive's stiffness and damping are forces, or accelerations that mass and inertia do not change.
@@ -54,6 +56,8 @@ struct JointDrive {
   T position_target = T(0), velocity_target = T(0);  ///< targets of the position and of the velocity
   T stiffness = T(0), damping = T(0);                ///< >= 0
   T max_force = std::numeric_limits<T>::infinity();  ///< >= 0; a torque for an angular axis
+
+  friend bool operator==(const JointDrive&, const JointDrive&) = default;
 };
 
 /// A joint of two bodies. In the plane (`graze/plane/joint.hpp`) frames have two axes to move along, x and y, and turn
@@ -65,6 +69,8 @@ struct Joint {
   std::vector<JointLimit<T>> limits;          ///< bounds on the relative position
   std::vector<JointDrive<T>> drives;          ///< motors
   bool enable_collision = false;              ///< whether the two bodies may touch each other
+
+  friend bool operator==(const Joint&, const Joint&) = default;
 };
 
 /// A joint that keeps the two frames coincident.

@@ -110,7 +110,8 @@ class GRAZE_API Simulation {
   void step(T dt);
 
   /// Applies an impulse at a point of the world, at once. Impulses, forces and torques do not move fixed or kinematic
-  /// bodies; all of them wake the body.
+  /// bodies; all of them wake the body. Throws `InvalidValue` for what is not finite, or makes the body so fast that its
+  /// velocity is not.
   void apply_impulse(BodyId id, const Vec& impulse, const Vec& point);
   void apply_angular_impulse(BodyId id, const Turning& impulse);  ///< Applies an angular impulse, at once.
   /// Applies a force to the centre of mass throughout the next step.
@@ -120,7 +121,8 @@ class GRAZE_API Simulation {
   void set_velocity(BodyId id, const Velocity& velocity);
   /// Puts a body elsewhere at once; its velocity stays.
   void set_pose(BodyId id, const Pose& pose);
-  /// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
+  /// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`. Throws `InvalidValue` for any other
+  /// body, and for a velocity that is not finite.
   void move_to(BodyId id, const Pose& pose, T dt);
   void set_material(BodyId id, const Material& material);  ///< replaces the material from now on
   void wake(BodyId id);                                    ///< wakes the body and what touches it

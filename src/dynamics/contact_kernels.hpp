@@ -60,6 +60,8 @@ struct ContactKernels {
   void (*solve)(const Bundle&, Body* bodies, const ContactStep<T>& step, bool bias);
   /// The fastest approach of a point that pushes.
   T (*approach)(const Bundle&, const Body* bodies);
+  /// The greatest speed at which a point that pushes parts.
+  T (*parting)(const Bundle&, const Body* bodies);
   /// Writes the points' impulses, `times` as large.
   void (*store)(const Bundle&, T times, Point* points);
 };

@@ -34,6 +34,7 @@ template <class S, class Space>
 struct RowBody {
   typename Space::Vec first_center{};
   InverseMassIn<Space> mass{};
+  RowVelocity<S, Space> velocity{};
 };
 
 /// Points that share a normal.
@@ -64,6 +65,8 @@ struct ManifoldRows {
   Mask presses(std::span<const Row> rows) const;
   /// The fastest approach of a point that pushes.
   S approach(std::span<const Row> rows, const Bodies& bodies) const;
+  /// The greatest speed at which a point that pushes parts: its impulse is too large by that.
+  S parting(std::span<const Row> rows, const Bodies& bodies) const;
   /// Calls `write(i, impulse)` with the impulse of each point, `times` as large: friction is spread so that it is the
   /// same force and the same torque about the pressure centre.
   template <class F>
@@ -136,8 +139,8 @@ void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S
   Vec arm_a{}, arm_b{};
   set_pressure_center(rows, count, loaded, arm_a, arm_b);
   friction.prepare(normal, arm_a, arm_b, a.mass, b.mass);
-  friction.take_over(normal, across, points, share, rows, touching.material);
   friction.set_belt(normal, touching.belt);
+  friction.take_over(normal, across, points, share, rows, touching.material, a.velocity, b.velocity);
 }
 
 template <class S, class Space>
@@ -159,10 +162,9 @@ void ManifoldRows<S, Space>::warm_start(std::span<const Row> rows, Bodies& bodie
 template <class S, class Space>
 void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias,
                                            const Mask& active, Bodies& bodies) {
-  using std::sqrt;
   const S zero(T(0)), one(T(1)), h(step.time.h);
   const S& size = touching.size;
-  const S fastest_push = step.gravity > T(0) ? sqrt(S(step.gravity) * size) : size / S(T(20) * step.time.step);
+  const S most = fastest_push(step, size);
   // The motion of a point's two material points against each other along the normal since it was found: in place of
   // both arms the normal is turned, which all points share.
   const S moved = dot(bodies.place_b.moved - bodies.place_a.moved, normal);
@@ -174,7 +176,7 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
     const Mask apart = s > zero;
     S wanted = select(apart, -s * step.time.inverse_h, zero), mass_scale = one, impulse_scale = zero;
     if (bias) {
-      wanted = select(apart, wanted, least(-s * step.soft.bias_rate, fastest_push));
+      wanted = select(apart, wanted, least(-s * step.soft.bias_rate, most));
       impulse_scale = select(apart, zero, S(step.soft.impulse_scale));
       const Mask yields = (r.impulse > zero) | (-speed * h < size * blow);
       mass_scale = select(apart, one, select(yields, S(step.soft.mass_scale), one));
@@ -194,8 +196,8 @@ template <class S, class Space>
 auto ManifoldRows<S, Space>::solve(std::span<Row> rows, const ContactStep<T>& step, bool bias, Bodies& bodies) -> Mask {
   Mask slides = S(T(0)) <= S(T(0));
   // A body that is put down slips in the sub-steps until its weight rests on the contact. Such slipping is not sliding:
-  // up to the speed that gravity gives in a step static friction stops it, or it would never be stopped where the
-  // dynamic one is too weak.
+  // up to the speed that gravity gives in a step static friction stops what stuck or was apart before, or it would never
+  // be stopped where the dynamic one is too weak.
   const S slow(step.gravity * step.time.step);
   for (int round = 0; round < sliding_rounds && any(slides); ++round) {
     solve_normals(rows, step, bias, slides, bodies);
@@ -216,6 +218,14 @@ S ManifoldRows<S, Space>::approach(std::span<const Row> rows, const Bodies& bodi
   S fastest(T(0));
   for (const Row& r : rows)
     fastest = select(r.impulse > S(T(0)), greatest(fastest, -speed_along_normal(r, bodies)), fastest);
+  return fastest;
+}
+
+template <class S, class Space>
+S ManifoldRows<S, Space>::parting(std::span<const Row> rows, const Bodies& bodies) const {
+  S fastest(T(0));
+  for (const Row& r : rows)
+    fastest = select(r.impulse > S(T(0)), greatest(fastest, speed_along_normal(r, bodies)), fastest);
   return fastest;
 }
 

@@ -46,7 +46,7 @@ class BundleLanes {
   [[gnu::always_inline]] RowBody<S, Over> body(std::uint32_t LanePlaces::*which) const {
     const auto center = [&](std::size_t lane) __attribute__((always_inline)) { return &at(which, lane).first_center; };
     const auto mass = [&](std::size_t lane) __attribute__((always_inline)) { return &at(which, lane).mass; };
-    return {gathered<S, typename Over::Vec>(center), gathered<S, InverseMassIn<Over>>(mass)};
+    return {gathered<S, typename Over::Vec>(center), gathered<S, InverseMassIn<Over>>(mass), velocity(which)};
   }
 
   /// Writes the velocities that rows changed to the bodies that can be pushed.
@@ -188,14 +188,25 @@ template <class S, class Space, class T = typename LaneOf<S>::type>
   if (bias) in.note_pressure(m.presses(in.rows()), slides, bodies);
 }
 
+/// The greatest number of a bundle's lanes that have a manifold.
 template <class S, class Space, class T = typename LaneOf<S>::type>
-[[gnu::flatten]] T approach(const ContactBundle<T, Space>& bundle, const SolverBody<T, Space>* bodies) {
-  const BundleLanes<S, Space> in(bundle, bodies);
-  const S speed = in.manifold().approach(in.rows(), in.velocities());
+[[gnu::always_inline]] inline T greatest_of(const ContactBundle<T, Space>& bundle, const S& speed) {
   T speeds[lanes_in<S>], fastest(0);
   std::memcpy(speeds, &speed, sizeof speeds);
   for (std::size_t lane = 0; lane < bundle.filled; ++lane) fastest = greatest(fastest, speeds[lane]);
   return fastest;
+}
+
+template <class S, class Space, class T = typename LaneOf<S>::type>
+[[gnu::flatten]] T approach(const ContactBundle<T, Space>& bundle, const SolverBody<T, Space>* bodies) {
+  const BundleLanes<S, Space> in(bundle, bodies);
+  return greatest_of<S, Space>(bundle, in.manifold().approach(in.rows(), in.velocities()));
+}
+
+template <class S, class Space, class T = typename LaneOf<S>::type>
+[[gnu::flatten]] T parting(const ContactBundle<T, Space>& bundle, const SolverBody<T, Space>* bodies) {
+  const BundleLanes<S, Space> in(bundle, bodies);
+  return greatest_of<S, Space>(bundle, in.manifold().parting(in.rows(), in.velocities()));
 }
 
 template <class S, class Space, class T = typename LaneOf<S>::type>
@@ -225,6 +236,7 @@ constexpr ContactKernels<typename LaneOf<S>::type, Space> kernels_of() {
           warm_start<S, Space>,
           solve<S, Space>,
           approach<S, Space>,
+          parting<S, Space>,
           store<S, Space>};
 }
 template <class T, class Space>

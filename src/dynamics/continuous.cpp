@@ -3,7 +3,8 @@
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
 // the contact. `World::find_impacts` casts both of two that move, turning included, so that rods do not pass posts nor
-// bullets each other. Bodies that hard joints hold together are held back together, at the first contact that any of
+// bullets each other. A body that something fast strikes which no blow stops, a kinematic one, is carried along by it to
+// the end of the step. Bodies that hard joints hold together are held back together, at the first contact that any of
 // them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that lies
 // on something is held back together with the body that strikes it and would push it in.
 #include <algorithm>
@@ -93,9 +94,11 @@ bool is_hard(const Joint<T, Space>& joint) {
                      [](const JointLimit<T>& limit) { return !limit.stiffness; });
 }
 
-/// Gives bodies that are joined the earliest of their `ends`. Returns which bodies are joined to anything.
+/// Gives bodies that are joined the earliest of their `ends`, and the way by which the one of them is carried whose end
+/// that is. Returns which bodies are joined to anything.
 template <class T, class Space>
-std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, std::span<T> ends) {
+std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, std::span<T> ends,
+                                       std::span<typename Space::Vec> carried) {
   std::vector<std::uint8_t> joined(parts.bodies.size(), 0);
   std::vector<IslandLink> links;
   for (const JointPlace<T, Space>& place : parts.joints) {
@@ -109,9 +112,15 @@ std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, s
   Islands groups;
   groups.find(joined, links);
   for (const Islands::Range& group : groups.ranges()) {
-    T first = std::numeric_limits<T>::infinity();
-    for (const std::uint32_t i : groups.bodies_of(group)) first = least(first, ends[i]);
-    for (const std::uint32_t i : groups.bodies_of(group)) ends[i] = first;
+    const auto members = groups.bodies_of(group);
+    const std::uint32_t earliest = *std::min_element(
+        members.begin(), members.end(), [&](std::uint32_t i, std::uint32_t j) { return ends[i] < ends[j]; });
+    const T first = ends[earliest];
+    const typename Space::Vec way = carried[earliest];
+    for (const std::uint32_t i : members) {
+      ends[i] = first;
+      carried[i] = way;
+    }
   }
   return joined;
 }
@@ -139,14 +148,16 @@ void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typen
   set_angular_velocity(body.free, end.angular);
 }
 
-/// The bodies that may have passed through something in this step.
+/// The bodies that may have passed through something in this step, kinematic ones among them. What has no bounds, a
+/// half-space that moves, has no other side to come out on.
 template <class T, class Space>
 std::vector<std::uint32_t> fast_bodies(const SimulationParts<T, Space>& parts, T dt) {
   const auto alive = parts.world.bodies().alive();
   std::vector<std::uint32_t> fast;
   for (std::uint32_t i = 0; i < parts.bodies.size(); ++i) {
     const SimulatedBody<T, Space>& body = parts.bodies[i];
-    if (alive[i] == 0 || !body.movable || body.asleep) continue;
+    if (alive[i] == 0 || !body.moves || body.asleep) continue;
+    if (!(body.radius <= largest_magnitude<T>)) continue;
     const MotionIn<Space> m = parts.motion(i);
     const T way = (length(m.linear) + length(m.angular) * body.radius) * dt;
     if (way > unasked_motion<T> * body.depth) fast.push_back(i);
@@ -170,60 +181,98 @@ T holding_time(const SimulationParts<T, Space>& parts, const Impact<T, Space>& i
   return greatest(impact.hit.t, sunk ? *sunk : way > most ? dt * (most / way) : dt);
 }
 
+/// The velocities that take the bodies of a step from where it found them to where they are, which the world is given for
+/// casts; zero for what does not move.
+template <class T, class Space>
+std::vector<typename Space::Velocity> mean_velocities(SimulationParts<T, Space>& parts, T dt) {
+  const auto alive = parts.world.bodies().alive();
+  std::vector<typename Space::Velocity> mean(parts.bodies.size());
+  for (std::uint32_t i = 0; i < parts.bodies.size(); ++i) {
+    if (alive[i] == 0 || !parts.bodies[i].moves || parts.bodies[i].asleep) continue;
+    mean[i] = mean_velocity<T, Space>(parts.found_at[i], parts.pose_of(i), dt);
+    const T reached = greatest(max_abs(mean[i].linear), max_abs(mean[i].angular));
+    if (!(reached <= largest_magnitude<T>)) mean[i] = {};
+    parts.world.move(parts.world.bodies().id(i), parts.found_at[i], mean[i].linear, mean[i].angular);
+  }
+  return mean;
+}
+
+/// The first contacts of the bodies of a step, and the times at which these are held back, `dt` for those that are not.
+template <class T, class Space>
+struct Meetings {
+  std::vector<Meeting<T, Space>> first;
+  std::vector<T> ends;
+  std::vector<std::uint8_t> pushed;  ///< by contacts or joints, in this step
+};
+
+/// Casts the fast bodies. They are held back by what they meet, and what they meet by those that cannot be.
+template <class T, class Space>
+Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<const std::uint32_t> fast,
+                                 std::span<const typename Space::Velocity> mean, T dt) {
+  const std::size_t count = parts.bodies.size();
+  std::vector<std::uint8_t> is_fast(count, 0);
+  for (const std::uint32_t i : fast) {
+    is_fast[i] = 1;
+    parts.world.set_fast(parts.world.bodies().id(i), true);
+  }
+  parts.world.find_impacts(dt);
+  for (const std::uint32_t i : fast) parts.world.set_fast(parts.world.bodies().id(i), false);
+  Meetings<T, Space> found{{count, Meeting<T, Space>{dt}}, std::vector<T>(count, dt), pushed_bodies(parts)};
+  std::vector<Meeting<T, Space>> driven(found.first);  // with what is fast and cannot be held back
+  for (const Impact<T, Space>& impact : parts.world.impacts()) {
+    if (impact.trigger) continue;
+    const std::uint32_t a = impact.a.index, b = impact.b.index;
+    const T time = holding_time<T, Space>(parts, impact, mean, dt);
+    for (const std::uint32_t i : {a, b}) {
+      const Meeting<T, Space> meeting{time, i == a ? b : a, impact.hit.point, impact.hit.normal};
+      if (!parts.bodies[i].movable) continue;
+      if (time < found.first[i].time) found.first[i] = meeting;
+      if (time < driven[i].time && is_fast[i] == 0 && !parts.bodies[meeting.other].movable) driven[i] = meeting;
+    }
+  }
+  for (const std::uint32_t i : fast) {
+    if (!(found.first[i].time < dt)) continue;
+    found.ends[i] = found.first[i].time;
+    const std::uint32_t striking = found.first[i].other;
+    if (found.pushed[i] != 0 && parts.bodies[striking].movable) found.ends[striking] = found.first[striking].time;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!(driven[i].time < found.ends[i])) continue;
+    found.first[i] = driven[i];
+    found.ends[i] = driven[i].time;
+    found.pushed[i] |= static_cast<std::uint8_t>(parts.bodies[i].asleep);  // what sleeps did not fall
+    if (parts.bodies[i].asleep) parts.wake_around(i);
+  }
+  return found;
+}
+
 }  // namespace
 
 template <class T, class Space>
 void SimulationParts<T, Space>::hold_back(T dt) {
   const std::vector<std::uint32_t> fast = fast_bodies(*this, dt);
   if (fast.empty()) return;
-  const auto alive = world.bodies().alive();
-  std::vector<typename Space::Velocity> mean(bodies.size());
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (alive[i] == 0 || !bodies[i].moves || bodies[i].asleep) continue;
-    mean[i] = mean_velocity<T, Space>(found_at[i], pose_of(i), dt);
-    const T reached = greatest(max_abs(mean[i].linear), max_abs(mean[i].angular));
-    if (!(reached <= largest_magnitude<T>)) mean[i] = {};
-    world.move(world.bodies().id(i), found_at[i], mean[i].linear, mean[i].angular);
-  }
-  for (const std::uint32_t i : fast) world.set_fast(world.bodies().id(i), true);
-  world.find_impacts(dt);
-  for (const std::uint32_t i : fast) world.set_fast(world.bodies().id(i), false);
-  std::vector<Meeting<T, Space>> first(bodies.size(), Meeting<T, Space>{dt});
-  for (const Impact<T, Space>& impact : world.impacts()) {
-    if (impact.trigger) continue;
-    const std::uint32_t a = impact.a.index, b = impact.b.index;
-    const T time = holding_time<T, Space>(*this, impact, mean, dt);
-    for (const std::uint32_t i : {a, b})
-      if (bodies[i].movable && time < first[i].time)
-        first[i] = {time, i == a ? b : a, impact.hit.point, impact.hit.normal};
-  }
-  if (std::none_of(fast.begin(), fast.end(), [&](std::uint32_t i) { return first[i].time < dt; })) return;
-  const std::vector<std::uint8_t> pushed = pushed_bodies(*this);
-  std::vector<T> ends(bodies.size(), dt);
-  for (const std::uint32_t i : fast) {
-    if (!(first[i].time < dt)) continue;
-    ends[i] = first[i].time;
-    const std::uint32_t striking = first[i].other;
-    if (pushed[i] != 0 && bodies[striking].movable) ends[striking] = first[striking].time;
-  }
-  const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends);
-  // The velocity of a body's material point at a place and a time of the step.
-  const auto speed_of = [&](std::uint32_t i, const typename Space::Vec& point, T time) {
-    return mean[i].linear + cross(mean[i].angular, point - (found_at[i].translation + mean[i].linear * time));
+  const std::vector<typename Space::Velocity> mean = mean_velocities(*this, dt);
+  auto [first, ends, pushed] = find_meetings<T, Space>(*this, fast, mean, dt);
+  if (std::none_of(ends.begin(), ends.end(), [&](T end) { return end < dt; })) return;
+  // What a body met may go on: the body stays in touch with the material point that it met, along the normal.
+  const auto carried_by = [&, &ends = ends](const Meeting<T, Space>& meeting) {
+    const std::uint32_t other = meeting.other;
+    const typename Space::Vec center = found_at[other].translation + mean[other].linear * meeting.time;
+    const typename Space::Vec speed = mean[other].linear + cross(mean[other].angular, meeting.point - center);
+    return meeting.normal * (dot(speed, meeting.normal) * greatest(T(0), ends[other] - meeting.time));
   };
+  std::vector<typename Space::Vec> carried(bodies.size());
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    if (ends[i] < dt && !bodies[first[i].other].movable) carried[i] = carried_by(first[i]);
+  const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends, carried);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!(ends[i] < dt)) continue;
     ++last.stopped;
+    if (joined[i] == 0 && bodies[first[i].other].movable) carried[i] = carried_by(first[i]);
     typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
-    typename Space::Vec carried_by{};
-    if (joined[i] == 0) {  // The body it met may go on: it stays in touch, along the normal.
-      const Meeting<T, Space>& meeting = first[i];
-      const typename Space::Vec carried = speed_of(meeting.other, meeting.point, meeting.time);
-      const T rest = greatest(T(0), ends[meeting.other] - meeting.time);
-      carried_by = meeting.normal * (dot(carried, meeting.normal) * rest);
-      at.translation += carried_by;
-    }
-    set_back<T, Space>(*this, i, at, dt - ends[i], {joined[i] != 0, pushed[i] != 0, carried_by});
+    at.translation += carried[i];
+    set_back<T, Space>(*this, i, at, dt - ends[i], {joined[i] != 0, pushed[i] != 0, carried[i]});
   }
 }
 

@@ -31,6 +31,21 @@ S inverse_or_zero(const S& value) {
   return select(positive, S(1) / select(positive, value, S(1)), S(0));
 }
 
+/// Whether friction of size `held` was at a limit of Coulomb's cone, where it is exactly, but for rounding, as long as
+/// surfaces slide: at that of rest, which sliding begins with, or at that of motion. Between the two they stick.
+template <class S>
+auto at_limit(const S& held, const S& pressed, const ContactMaterial<S>& material) {
+  using T = typename LaneOf<S>::type;
+  const S rest = material.static_friction * pressed, motion = material.dynamic_friction * pressed;
+  const S rounding(T(0.001));
+  return (pressed > S(T(0))) & ((held >= rest - rest * rounding) | ((held >= motion - motion * rounding) & (held <= motion + motion * rounding)));
+}
+
+/// The part of the speed that gravity gives in a step up to which surfaces stick whatever their friction was. Measured: a
+/// resting cube that is pushed by 0.99 of what static friction holds rocks, and creeps by more than 0.02 of it meanwhile.
+template <class T>
+constexpr T creeping = T(0.1);
+
 template <class S, class Space>
 class FrictionRows;
 
@@ -72,9 +87,11 @@ class FrictionRows<S, Space<S>> {
 
   /// Takes over the part `share` of the impulses of the last step: `friction` across the normal, and the twist. They
   /// are limited anew: a point that was lost took its part of the pressure along, and the rest may not hold as much.
+  /// Surfaces slide on if their friction was at its limit, with the velocities `a` and `b` that the step begins with.
   template <class Points>
   void take_over(const Vec& normal, const Vec& friction, const Points& points, T share, Rows rows,
-                 const ContactMaterial<S>& material) {
+                 const ContactMaterial<S>& material, const RowVelocity<S, Space<S>>& a,
+                 const RowVelocity<S, Space<S>>& b) {
     using std::sqrt;
     S loaded(0), lever(0), twist(0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -85,6 +102,8 @@ class FrictionRows<S, Space<S>> {
     const S u = dot(friction, u_), v = dot(friction, cross(normal, u_));
     const S held = sqrt(u * u + v * v), most = material.static_friction * loaded;
     const auto beyond = held > most;
+    const S su = slip_along(u_, belt_u_, a, b), sv = slip_along(cross(normal, u_), belt_v_, a, b);
+    slid_ = select(at_limit(held, loaded, material), sqrt(su * su + sv * sv), S(0));
     const S shorter = select(beyond, most / select(beyond, held, S(1)), S(1));
     push_u_ = u * shorter;
     push_v_ = v * shorter;
@@ -109,7 +128,7 @@ class FrictionRows<S, Space<S>> {
   }
 
   /// Solves friction with the total impulse of the points at hand, in the active lanes; returns whether it reached its
-  /// limit there. Surfaces that slide slower than `slow` count as at rest.
+  /// limit there. Surfaces that begin to slide count as at rest up to the speed `slow`.
   Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
              const S& slow, const Mask& active, Bodies& bodies) {
     S pressed(0), lever(0);
@@ -142,6 +161,12 @@ class FrictionRows<S, Space<S>> {
   }
 
  private:
+  /// The speed along `axis` at which B's surface slides over A's at the pressure centre.
+  S slip_along(const Vec& axis, const S& belt, const RowVelocity<S, Space<S>>& a,
+               const RowVelocity<S, Space<S>>& b) const {
+    const Vec slip = (b.linear + cross(b.angular, arm_b_)) - (a.linear + cross(a.angular, arm_a_));
+    return dot(slip, axis) + belt;
+  }
   void solve_twist(const Vec& normal, const S& limit, const Mask& active, Bodies& bodies) {
     const S turning = dot(bodies.b.angular - bodies.a.angular, normal);
     const S twist = select(active, clamp(twist_ - twist_mass_ * turning, -limit, limit), twist_);
@@ -170,12 +195,11 @@ class FrictionRows<S, Space<S>> {
                      const ContactMaterial<S>& material, const S& slow, const Mask& active, Bodies& bodies) {
     using std::sqrt;
     const Vec v = cross(normal, u_);
-    const Vec slip =
-        (bodies.b.linear + cross(bodies.b.angular, arm_b_)) - (bodies.a.linear + cross(bodies.a.angular, arm_a_));
-    const S su = dot(slip, u_) + belt_u_, sv = dot(slip, v) + belt_v_;
+    const S su = slip_along(u_, belt_u_, bodies.a, bodies.b), sv = slip_along(v, belt_v_, bodies.a, bodies.b);
     const S fu = push_u_ - (mass_[0] * su + mass_[1] * sv), fv = push_v_ - (mass_[1] * su + mass_[2] * sv);
     const S needed = sqrt(fu * fu + fv * fv);
-    const S held = material.static_friction * pressed;
+    const S held =
+        select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
     const Mask slides = active & (needed > held);
     const S limit = select(slow * slow < su * su + sv * sv, material.dynamic_friction * pressed, held);
     const S shorter = select(slides, least(S(1), limit / select(slides, needed, S(1))), S(1));
@@ -201,6 +225,7 @@ class FrictionRows<S, Space<S>> {
   S twist_mass_{}, twist_{};
   Vec rolling_{};
   S belt_u_{}, belt_v_{};
+  S slid_{};  ///< the speed of sliding when the step began; 0 where the surfaces stuck
 };
 
 template <class S>
@@ -225,11 +250,13 @@ class FrictionRows<S, plane::Space<S>> {
 
   template <class Points>
   void take_over(const Vec& normal, const Vec& friction, const Points&, T, Rows rows,
-                 const ContactMaterial<S>& material) {
+                 const ContactMaterial<S>& material, const RowVelocity<S, plane::Space<S>>& a,
+                 const RowVelocity<S, plane::Space<S>>& b) {
     S loaded(0);
     for (const auto& r : rows) loaded += r.impulse;
-    const S most = material.static_friction * loaded;
-    push_ = clamp(dot(friction, left(normal)), -most, most);
+    const S most = material.static_friction * loaded, held = dot(friction, left(normal));
+    slid_ = select(at_limit(abs_of(held), loaded, material), abs_of(slip(normal, a, b)), S(0));
+    push_ = clamp(held, -most, most);
     rolling_ = S(0);
   }
 
@@ -245,12 +272,12 @@ class FrictionRows<S, plane::Space<S>> {
     S pressed(0);
     for (const auto& r : rows) pressed += r.impulse;
     if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
-    const S slip = dot(bodies.b.linear - bodies.a.linear, left(normal)) + turn_b_ * bodies.b.angular -
-                   turn_a_ * bodies.a.angular + belt_;
-    const S needed = push_ - mass_ * slip;
-    const S held = material.static_friction * pressed;
+    const S speed = slip(normal, bodies.a, bodies.b);
+    const S needed = push_ - mass_ * speed;
+    const S held =
+        select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
     const Mask slides = active & (abs_of(needed) > held);
-    const S limit = select(slow < abs_of(slip), material.dynamic_friction * pressed, held);
+    const S limit = select(slow < abs_of(speed), material.dynamic_friction * pressed, held);
     const S push = select(active, select(slides, clamp(needed, -limit, limit), needed), push_);
     const S more = push - push_;
     push_ = push;
@@ -266,6 +293,10 @@ class FrictionRows<S, plane::Space<S>> {
   static S abs_of(const S& x) {
     using std::abs;
     return abs(x);
+  }
+  /// The speed at which B's surface slides over A's.
+  S slip(const Vec& normal, const RowVelocity<S, plane::Space<S>>& a, const RowVelocity<S, plane::Space<S>>& b) const {
+    return dot(b.linear - a.linear, left(normal)) + turn_b_ * b.angular - turn_a_ * a.angular + belt_;
   }
   void shove(const Vec& normal, const S& push, const S& mass_a, const S& mass_b, Bodies& bodies) const {
     bodies.a.linear -= left(normal) * (push * mass_a);
@@ -289,6 +320,7 @@ class FrictionRows<S, plane::Space<S>> {
   S mass_{}, push_{};
   S rolling_mass_{}, rolling_{};
   S belt_{};
+  S slid_{};  ///< as in space
 };
 
 }  // namespace graze

@@ -66,7 +66,7 @@ Response<T> response(const StruckContact<T>& contact, const StruckBody<T>& a, co
   r.effective_mass = movable ? T(1) / dot(n, kn) : std::numeric_limits<T>::infinity();
   if (!movable || !(r.approach.normal < T(0))) return r;
 
-  r.normal_impulse = -(T(1) + contact.restitution) * r.approach.normal * r.effective_mass;
+  r.normal_impulse = greatest(T(0), -(T(1) + contact.restitution) * r.approach.normal * r.effective_mass);
   const Vec3<T> left = r.approach.tangential + kn * r.normal_impulse;
   r.sliding = left - n * dot(n, left);
   r.stopping_impulse = stopping(k, n, r.sliding);

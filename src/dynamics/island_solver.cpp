@@ -30,6 +30,20 @@ constexpr T fall_in_sub_step = T(0.02);
 /// 0.035, with four by 0.007.
 constexpr int passes_among_joints = 4;
 
+/// Passes that push bodies apart that overlap: what lies on them has to be lifted along.
+constexpr int pushing_passes = 8;
+
+/// Passes that relax the velocities of an island in which bodies overlap, at most. Contacts that push bodies apart give
+/// each of a row of n bodies the speed of those below it and more; one pass takes back that of its neighbours alone.
+/// They end where no point that pushes parts any faster than by `parted` of the speed at which contacts push.
+constexpr int passes_in_overlap = 64;
+template <class T>
+constexpr T parted = T(0.01);
+
+/// The part of a size by which points are deeper than their bodies came in a step where these were put into each other.
+template <class T>
+constexpr T put_in = T(0.01);
+
 /// Bodies, and chunks of contacts, of an island in one task: so many that handing it out costs little in comparison.
 constexpr std::size_t bodies_per_block = 64, chunks_per_task = 4;
 
@@ -137,9 +151,14 @@ auto IslandSolver<T, Space>::load(std::span<const SolverPoint<T, Space>> points,
   Load load;
   contacts_.each_manifold([&](const TouchingBodies<T, Space>& touching, const ContactManifold<T, Space>& m) {
     T pressed(0);
-    for (const SolverPoint<T, Space>& p : points.subspan(m.first_point, m.point_count))
-      pressed += greatest(T(0), dot(p.impulse, m.normal)) * share;
     const T size = touching.between.size;
+    const SolverBody<T, Space>&a = bodies_[touching.a], &b = bodies_[touching.b];
+    for (const SolverPoint<T, Space>& p : points.subspan(m.first_point, m.point_count)) {
+      pressed += greatest(T(0), dot(p.impulse, m.normal)) * share;
+      if (-p.distance <= put_in<T> * size) continue;
+      const T speed = dot(b.velocity(p.b - b.center) - a.velocity(p.a - a.center), m.normal);
+      load.overlap = load.overlap || -p.distance > put_in<T> * size + std::abs(speed) * step;
+    }
     const T inverse_mass = bodies_[touching.a].mass.mass + bodies_[touching.b].mass.mass;
     load.strain = greatest(load.strain, pressed / step * inverse_mass / size);
     load.smallest = least(load.smallest, size);
@@ -152,9 +171,12 @@ void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Spa
                                               int least, int most) {
   // A body on a joint moves along a chord of its arc: the error is the square of the sub-step, and a quarter of it with
   // two for one.
+  overlap_ = false;
   sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : contacts_.empty() ? 1 : least;
   if (contacts_.empty()) return;
   const Load most_load = load(points, step, share);
+  overlap_ = most_load.overlap;
+  smallest_ = most_load.smallest;
   const auto too_few = [&](int count, T part) {
     const T h = step / T(count);
     return gravity * h * h > fall_in_sub_step<T> * most_load.smallest ||
@@ -227,6 +249,16 @@ void IslandSolver<T, Space>::arrive() {
   joint_system_.factor(joints_, bodies_);
 }
 
+/// Relaxes the velocities: the impulses that only moved bodies out of each other are taken back.
+template <class T, class Space>
+void IslandSolver<T, Space>::relax(const ContactStep<T>& step) {
+  const int passes = joints_.empty() || contacts_.empty() ? 1 : passes_among_joints;
+  for (int pass = 0; pass < passes; ++pass) solve_rows(step, false);
+  if (!overlap_) return;
+  const T slow = parted<T> * fastest_push(step, smallest_);
+  for (int pass = passes; pass < passes_in_overlap && parting() > slow; ++pass) solve_rows(step, false);
+}
+
 /// One pass over all rows. The one with bias decides how bodies move, and records the normals that press them.
 template <class T, class Space>
 void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
@@ -248,7 +280,6 @@ void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points
   time.joined_by_mean = by_mean_ = contacts_.empty() && joint_system_.holds_all();
   for (JointRows<T, Space>& joint : joints_) joint.set_step(time);
   const ContactStep<T> contact = contact_step(time, gravity);
-  const int relaxing_passes = joints_.empty() || contacts_.empty() ? 1 : passes_among_joints;
   for (int s = 0; s < sub_steps_; ++s) {
     begin_sub_step(time);
     for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -258,20 +289,32 @@ void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points
     }
     joint_system_.factor(joints_, bodies_);
     each_bundle([&](const auto& kernels, const auto& bundle) { kernels.warm_start(bundle, bodies_.data()); });
-    solve_rows(contact, true);
+    for (int pass = 0; pass < (overlap_ ? pushing_passes : 1); ++pass) solve_rows(contact, true);
     move(time);
     if (by_mean_) arrive();
-    for (int pass = 0; pass < relaxing_passes; ++pass) solve_rows(contact, false);
+    relax(contact);
     end_sub_step();
   }
   find_residual();
 }
 
+/// The greatest number that `of` tells of a bundle and its kernels.
 template <class T, class Space>
-void IslandSolver<T, Space>::find_residual() {
+template <class F>
+T IslandSolver<T, Space>::greatest_speed(const F& of) {
+  T fastest(0);
   for (std::size_t chunk = 0; chunk < contacts_.chunk_count(); ++chunk)
     for (const ContactBundle<T, Space>& bundle : contacts_.bundles_of(chunk))
-      residual_ = greatest(residual_, contacts_.kernels_of(bundle).approach(bundle, bodies_.data()));
+      fastest = greatest(fastest, of(contacts_.kernels_of(bundle), bundle));
+  return fastest;
+}
+template <class T, class Space>
+void IslandSolver<T, Space>::find_residual() {
+  residual_ = greatest_speed([&](const auto& kernels, const auto& b) { return kernels.approach(b, bodies_.data()); });
+}
+template <class T, class Space>
+T IslandSolver<T, Space>::parting() {
+  return greatest_speed([&](const auto& kernels, const auto& b) { return kernels.parting(b, bodies_.data()); });
 }
 
 template <class T, class Space>

@@ -48,6 +48,7 @@ class IslandSolver {
   struct Load {
     T strain{};  ///< force times inverse masses, of the smaller body's size
     T smallest = std::numeric_limits<T>::infinity();
+    bool overlap = false;  ///< whether bodies were put into each other
   };
 
   void begin_sub_step(const SubStep<T>& time);
@@ -58,7 +59,11 @@ class IslandSolver {
   void solve_joints(bool bias);
   void arrive();
   Load load(std::span<const SolverPoint<T, Space>> points, T step, T share) const;
+  void relax(const ContactStep<T>& step);
   void find_residual();
+  T parting();
+  template <class F>
+  T greatest_speed(const F& of);
   template <class F>
   void each(std::size_t count, std::size_t per_task, const F& f);
   template <class F>
@@ -80,6 +85,8 @@ class IslandSolver {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joint_bodies_;
   Executor* executor_ = nullptr;
   int sub_steps_ = 1;
+  bool overlap_ = false;  ///< whether bodies were put into each other
+  T smallest_{};          ///< the size of the smallest body that touches another
   T residual_{};
 };
 

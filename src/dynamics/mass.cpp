@@ -15,6 +15,11 @@ T inverse(T value, const char* name, int index = -1) {
                  "a number > 0 with a finite inverse", static_cast<double>(value));
 }
 
+/// The part of a tensor's largest element by which rounding may make two elements differ that are one: half of the digits,
+/// since a tensor may have been turned and moved many times.
+template <class T>
+constexpr T rounding = sizeof(T) == sizeof(float) ? T(4e-4) : T(2e-8);
+
 template <class T>
 Mat3<T> turned(const Mat3<T>& tensor, const Quat<T>& rotation) {
   const Mat3<T> r = rotation_matrix(rotation);
@@ -50,6 +55,10 @@ InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotat
   T largest(0);
   for (const Vec3<T>& row : inertia.row) largest = greatest(largest, max_abs(row));
   const T scale = inverse(largest, "inertia");
+  const Mat3<T> mirrored = transposed(inertia);
+  for (int i = 0; i < 3; ++i)
+    if (const T off = max_abs(inertia.row[i] - mirrored.row[i]); !(off <= rounding<T> * largest))
+      validate::fail("inertia", "a symmetric tensor", static_cast<double>(off));
   inverted.inertia = turned(inverse_of_scaled(inertia * scale, "inertia", largest) * scale, rotation);
   return inverted;
 }

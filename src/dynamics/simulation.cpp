@@ -34,6 +34,16 @@ void check_material(const MaterialIn<T, Space>& m) {
   checked_vector(m.surface_velocity, "surface_velocity");
 }
 
+/// Adds to a body's velocity and angular momentum. Throws `InvalidValue` for what makes it too fast, and changes nothing.
+template <class T, class Space>
+void push(SimulatedBody<T, Space>& body, const typename Space::Vec& linear, const typename Space::Turning& angular) {
+  FreeBodyIn<Space> pushed = body.free;
+  pushed.linear = checked_vector(body.free.linear + linear, "velocity after the impulse");
+  pushed.angular_momentum += angular;
+  checked_vector(angular_velocity(pushed), "angular velocity after the impulse");
+  body.free = pushed;
+}
+
 bool power_of_two(int n) { return n > 0 && n <= 1024 && (n & (n - 1)) == 0; }
 
 template <class T, class Space>
@@ -257,17 +267,15 @@ void Simulation<T, Space>::apply_impulse(BodyId id, const typename Space::Vec& i
   SimulatedBody<T, Space>& body = parts_->bodies[parts_->checked(id)];
   checked_vector(impulse, "impulse");
   checked_vector(point, "point");
+  if (body.movable) push(body, impulse * body.mass.inverse_mass, cross(point - body.free.center, impulse));
   parts_->wake(id.index);
-  if (!body.movable) return;
-  body.free.linear += impulse * body.mass.inverse_mass;
-  body.free.angular_momentum += cross(point - body.free.center, impulse);
 }
 template <class T, class Space>
 void Simulation<T, Space>::apply_angular_impulse(BodyId id, const typename Space::Turning& impulse) {
   SimulatedBody<T, Space>& body = parts_->bodies[parts_->checked(id)];
   checked_vector(impulse, "impulse");
+  if (body.movable) push(body, typename Space::Vec{}, impulse);
   parts_->wake(id.index);
-  if (body.movable) body.free.angular_momentum += impulse;
 }
 template <class T, class Space>
 void Simulation<T, Space>::apply_force(BodyId id, const typename Space::Vec& force) {
@@ -313,10 +321,12 @@ void Simulation<T, Space>::move_to(BodyId id, const typename Space::Pose& pose, 
   if (!(dt > T(0)) || !std::isfinite(dt)) validate::fail("dt", "a finite number > 0", static_cast<double>(dt));
   const typename Space::Pose to = Space::checked(pose);
   SimulatedBody<T, Space>& body = parts_->bodies[index];
-  if (body.movable || !body.moves) return;
+  if (body.movable || !body.moves) validate::fail("body", "a kinematic one", body.moves ? "one with mass" : "a fixed one");
   const typename Space::Vec center = to.translation + rotate(to.rotation, body.mass.principal.translation);
-  body.free.linear = (center - body.free.center) / dt;
-  body.spin = turning_between(parts_->world.bodies().poses()[index].rotation, to.rotation, dt);
+  const typename Space::Vec linear = (center - body.free.center) / dt;
+  const auto spin = turning_between(parts_->world.bodies().poses()[index].rotation, to.rotation, dt);
+  body.free.linear = checked_vector(linear, "velocity to the pose");
+  body.spin = checked_vector(spin, "angular velocity to the pose");
   parts_->wake(index);
 }
 template <class T, class Space>

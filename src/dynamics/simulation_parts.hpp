@@ -116,7 +116,8 @@ struct SimulationParts {
   void pass_blows_on(T dt);  // restitution.cpp
   void solve_islands(T dt);
   void hold_back(T dt);     // continuous.cpp
-  void put_to_sleep(T dt);  // sleep.cpp
+  bool is_carried(std::uint32_t link) const;  // sleep.cpp
+  void put_to_sleep(T dt);                    // sleep.cpp
   void move_world();
 };
 

@@ -43,6 +43,15 @@ void SimulationParts<T, Space>::wake_around(std::uint32_t index) {
   }
 }
 
+/// Whether the surface of one of a link's bodies runs under the other, which rests on it for no longer than it is
+/// still.
+template <class T, class Space>
+bool SimulationParts<T, Space>::is_carried(std::uint32_t link) const {
+  const ContactPair<T>* pair = contact_of(link);
+  const auto runs = [&](std::uint32_t i) { return !(bodies[i].material.surface_velocity == typename Space::Vec{}); };
+  return pair && (runs(pair->a) || runs(pair->b));
+}
+
 template <class T, class Space>
 void SimulationParts<T, Space>::put_to_sleep(T dt) {
   if (!settings.sleep) return;
@@ -50,7 +59,8 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
   for (std::size_t k = 0; k < awake.size(); ++k) {
     if (awake[k] == 0) continue;
     const auto members = islands.bodies_of(islands.ranges()[k]);
-    bool still = true;
+    const auto links_here = islands.links_of(islands.ranges()[k]);
+    bool still = std::none_of(links_here.begin(), links_here.end(), [&](std::uint32_t l) { return is_carried(l); });
     for (const std::uint32_t i : members) {
       SimulatedBody<T, Space>& body = bodies[i];
       const MotionIn<Space> m = motion(i);
@@ -75,6 +85,7 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
 #define GRAZE_SLEEP(T, Space)                                                                                          \
   template void SimulationParts<T, Space>::wake(std::uint32_t);                                                        \
   template void SimulationParts<T, Space>::wake_around(std::uint32_t);                                                 \
+  template bool SimulationParts<T, Space>::is_carried(std::uint32_t) const;                                            \
   template void SimulationParts<T, Space>::put_to_sleep(T);
 GRAZE_SLEEP(float, Space<float>)
 GRAZE_SLEEP(double, Space<double>)

@@ -82,8 +82,7 @@ bool same_joints(const std::vector<JointPlace<T, Space>>& a, const std::vector<J
   for (std::size_t i = 0; i < a.size(); ++i) {
     const JointInPlace<T, Space>&in_a = a[i].in_place, &in_b = b[i].in_place;
     if (a[i].alive != b[i].alive || a[i].generation != b[i].generation || in_a.a != in_b.a || in_a.b != in_b.b ||
-        !(in_a.frame_a == in_b.frame_a) || !(in_a.frame_b == in_b.frame_b) ||
-        in_a.joint.enable_collision != in_b.joint.enable_collision)
+        !(in_a.frame_a == in_b.frame_a) || !(in_a.frame_b == in_b.frame_b) || !(in_a.joint == in_b.joint))
       return false;
   }
   return true;

@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 10201936252232094951u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 17269105721923966589u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 5467379898247672608u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 17204574086467240678u;
 
 template <class T>
 class MovingRun {

@@ -179,6 +179,7 @@ TYPED_TEST(BadInput, VelocitiesPosesAndForces) {
   this->refuses("", [&] { s.set_pose(id, {In::zero, In::no_rotation}); });
   this->refuses("", [&] { s.move_to(id, {In::zero, In::no_rotation}, this->step); });
   for (const T dt : {T(0), T(-1), this->nan, this->infinity}) this->refuses("dt", [&] { s.move_to(id, {}, dt); });
+  this->refuses("body", [&] { s.move_to(id, {}, this->step); });
 }
 
 TYPED_TEST(BadInput, WhatIsGone) {
@@ -239,20 +240,45 @@ TYPED_TEST(BadInput, BlowsBeyondTheNumbers) {
   using In = typename TestFixture::In;
   auto& s = this->simulation;
   typename TestFixture::Dynamics light;
-  light.mass = std::numeric_limits<T>::min() * T(1024);
+  light.mass = T(4);
   const BodyId thrown = this->add_ball(T(1), light);
+  int taken = 0;
   const T large = largest_magnitude<T>;
   for (int i = 0; i < 12; ++i) {
     typename TypeParam::Vec impulse = In::vector(i % 2 == 0 ? large : -large), point{};
     impulse.y = i % 3 == 0 ? -large : large;
     point.y = large / T(2);
-    s.apply_impulse(thrown, impulse, point);
-    if (i % 4 == 3) s.apply_angular_impulse(this->first, In::turning(large));
+    const std::uint64_t before = s.state_hash();
+    try {
+      s.apply_impulse(thrown, impulse, i % 3 == 0 ? s.motion(thrown).center : point);
+      ++taken;
+      if (i % 4 == 3) s.apply_angular_impulse(this->first, In::turning(large));
+    } catch (const InvalidValue&) {
+      if (i % 4 != 3) {
+        EXPECT_EQ(s.state_hash(), before) << i;
+      }
+    }
     EXPECT_NO_THROW(s.step(this->step)) << i;
     for (const auto& pose : s.poses()) EXPECT_TRUE(max_abs(pose.translation) <= large) << i;
     EXPECT_TRUE(std::isfinite(max_abs(s.motion(this->first).linear))) << i;
     EXPECT_TRUE(std::isfinite(max_abs(s.motion(this->second).linear))) << i;
   }
+  EXPECT_GE(taken, 4);
+}
+
+/// Impulses and ways that would make a body faster than numbers tell are refused.
+TYPED_TEST(BadInput, SpeedsBeyondTheNumbers) {
+  using T = typename TestFixture::T;
+  using In = typename TestFixture::In;
+  typename TestFixture::Dynamics light, kinematic;
+  light.mass = std::numeric_limits<T>::min() * T(1024);
+  kinematic.kinematic = true;
+  const BodyId feather = this->add_ball(T(1), light), lift = this->add_ball(T(9), kinematic);
+  auto& s = this->simulation;
+  const T large = largest_magnitude<T>;
+  this->refuses("velocity", [&] { s.apply_impulse(feather, In::vector(large), In::zero); });
+  this->refuses("angular", [&] { s.apply_angular_impulse(feather, In::turning(large)); });
+  this->refuses("velocity", [&] { s.move_to(lift, {In::vector(T(1)), {}}, std::numeric_limits<T>::denorm_min()); });
 }
 
 }  // namespace

@@ -46,10 +46,10 @@ TYPED_TEST(SimulationBits, SameAfterRestore) {
 /// A simulation of the same bodies and joints goes on from a state, though the one that saved it is gone.
 TYPED_TEST(SimulationBits, SameInATwin) {
   using T = TypeParam;
-  const auto build = [](Simulation<T>& s, T gap, T size) {
+  const auto build = [](Simulation<T>& s, T gap, T size, T play = T(0)) {
     add_heap(s, 6, 40, size);
     const BodyId top = s.world().bodies().id(40), next = s.world().bodies().id(39);
-    s.add(ball_joint<T>(top, {{T(0), gap, T(0)}, {}}, next, {}));
+    s.add(distance_joint<T>(top, {{T(0), gap, T(0)}, {}}, next, {}, T(0), play));
   };
   State<T> state;
   std::vector<Pose<T>> once;
@@ -71,6 +71,9 @@ TYPED_TEST(SimulationBits, SameInATwin) {
   const std::uint64_t before = joined_otherwise.state_hash();
   EXPECT_THROW(joined_otherwise.restore(state), InvalidValue);
   EXPECT_EQ(joined_otherwise.state_hash(), before);
+  Simulation<T> joined_looser(settings<T>(T(10), true));
+  build(joined_looser, T(1), T(1), T(0.25));
+  EXPECT_THROW(joined_looser.restore(state), InvalidValue);
   Simulation<T> of_other_sizes(settings<T>(T(10), true));
   build(of_other_sizes, T(1), T(2));
   EXPECT_THROW(of_other_sizes.restore(state), InvalidValue);

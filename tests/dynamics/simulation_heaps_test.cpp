@@ -66,6 +66,33 @@ TYPED_TEST(SimulationHeaps, WhatBeginsInOneComesApart) {
   for (const BodyId id : boxes) EXPECT_GT(s.poses()[id.index].translation.y, T(0.4));
 }
 
+/// Ten boxes on each other that overlap by so much of their size come apart no faster than one contact pushes, and none
+/// is thrown: the tower grows, at most by the way of that speed, and where it overlaps little it stands.
+TYPED_TEST(SimulationHeaps, TowersThatOverlapGrow) {
+  using T = TypeParam;
+  for (const double overlap : {0.01, 0.03, 0.1, 0.5}) {
+    Simulation<T> s(settings<T>());
+    add_floor<T>(s);
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 10; ++i)
+      boxes.push_back(s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5) + T(i) * T(1 - overlap), T(0)}, {}}}));
+    T fastest(0), highest(0);
+    for (int i = 0; i < 5 * 64; ++i) {
+      s.step(T(dt));
+      for (const BodyId id : boxes) {
+        fastest = std::max(fastest, s.motion(id).linear.y);
+        highest = std::max(highest, s.poses()[id.index].translation.y);
+      }
+    }
+    EXPECT_LT(fastest, T(1.5) * std::sqrt(T(10))) << overlap;
+    EXPECT_LT(highest, T(9.5) + T(0.2)) << overlap;
+    if (overlap > 0.03) continue;
+    const Vec3<T> top = s.poses()[boxes.back().index].translation;
+    EXPECT_NEAR(top.y, T(9.5), T(0.02)) << overlap;
+    EXPECT_LT(std::abs(top.x) + std::abs(top.z), T(0.5)) << overlap;
+  }
+}
+
 /// A heap of anything comes to rest, and nothing is a NaN on the way.
 TEST(Simulation, HeapsComeToRest) {
   for (const unsigned seed : {1u, 2u, 3u}) {

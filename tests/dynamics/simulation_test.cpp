@@ -143,6 +143,40 @@ TYPED_TEST(SimulationOf, StaticFrictionHoldsWhatDynamicLetsGo) {
   }
 }
 
+/// What rests moves once more than static friction pushes it, and from then on dynamic friction holds it back, however
+/// slowly it moves; what less pushes stays.
+TYPED_TEST(SimulationOf, WhatBeginsToSlideSlides) {
+  using T = TypeParam;
+  Material<T> m;
+  m.static_friction = T(0.5);
+  m.dynamic_friction = T(0.3);
+  for (const T height : {T(0.2), T(1)})
+    for (const T part : {T(0.99), T(1.02), T(1.2)}) {
+      Simulation<T> s(settings<T>());
+      add_floor<T>(s, m);
+      const BodyId box = s.add({Box<T>({T(1), height, T(1)}), {{T(0), height / T(2), T(0)}, {}}}, {}, m);
+      for (int i = 0; i < 64; ++i) s.step(T(dt));
+      for (int i = 0; i < 128; ++i) {
+        s.apply_force(box, {part * T(0.5) * s.mass(box) * T(10), T(0), T(0)});
+        s.step(T(dt));
+      }
+      const T exact = part < T(1) ? T(0) : (part * T(0.5) - T(0.3)) * T(10) * T(2);
+      EXPECT_NEAR(s.motion(box).linear.x, exact, exact * T(0.1) + T(0.01)) << height << ", " << part;
+    }
+}
+
+/// A belt carries what lies on it for as long as it runs, however slowly.
+TYPED_TEST(SimulationOf, WhatABeltCarriesStaysAwake) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(10), true));
+  Material<T> belt;
+  belt.surface_velocity = {T(0.005), T(0), T(0)};
+  add_floor<T>(s, belt);
+  const BodyId crate = s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5), T(0)}, {}}});
+  for (int i = 0; i < 10 * 64; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.poses()[crate.index].translation.x, T(0.05), T(0.001));
+}
+
 /// A box that is put on a slope of 3 : 4 slips until its weight rests on the contact, and then stays by static
 /// friction.
 TYPED_TEST(SimulationOf, WhatIsPutDownGentlyStays) {

@@ -1,0 +1,73 @@
+// Continuous collision with what nothing stops: fast kinematic bodies take along what they meet.
+#include <gtest/gtest.h>
+
+#include "dynamics/simulated.hpp"
+
+namespace graze::testing {
+namespace {
+
+template <class T>
+class Continuous : public ::testing::Test {};
+using ScalarsOfContinuous = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(Continuous, ScalarsOfContinuous);
+
+template <class T>
+Dynamics<T> kinematic() {
+  Dynamics<T> d;
+  d.kinematic = true;
+  return d;
+}
+
+/// A plate of 2 cm that moves by up to 150 times that in a step, towards a ball that rests, awake or asleep: the ball
+/// leaves with the plate, before it, from wherever the plate comes.
+TYPED_TEST(Continuous, APlateTakesABallAlong) {
+  using T = TypeParam;
+  for (const T speed : {T(7), T(30), T(200)})
+    for (const T radius : {T(0.05), T(1)})
+      for (const bool asleep : {false, true})
+        for (int offset = 0; offset < 4; ++offset) {
+          Simulation<T> s(settings<T>(T(0), true));
+          const BodyId ball = s.add({Sphere<T>(radius)});
+          for (int i = 0; asleep && !s.asleep(ball); ++i) {
+            s.step(T(dt));
+            ASSERT_LT(i, 1000);
+          }
+          const T start = T(-5) - T(offset) * speed * T(dt) / T(4);
+          const BodyId plate =
+              s.add({Box<T>({T(0.02), T(2), T(2)}), {{start, T(0), T(0)}, {}}, {speed, T(0), T(0)}}, kinematic<T>());
+          for (int i = 0; i < 128; ++i) s.step(T(dt));
+          const T ahead = s.poses()[ball.index].translation.x - s.poses()[plate.index].translation.x;
+          EXPECT_NEAR(s.motion(ball).linear.x, speed, speed * T(0.01)) << speed << ", " << radius << ", " << asleep;
+          EXPECT_GT(ahead, radius) << speed << ", " << radius << ", " << asleep;
+        }
+}
+
+/// A rod of 4 m that turns by 36 degrees in a step strikes a ball that rests beside its axis.
+TYPED_TEST(Continuous, ARodThatTurnsStrikesABall) {
+  using T = TypeParam;
+  for (int offset = 0; offset < 16; ++offset) {
+    Simulation<T> s(settings<T>(T(0)));
+    const Quat<T> turned = Quat<T>::from_axis_angle({T(0), T(1), T(0)}, T(offset) * T(0.04));
+    s.add({Box<T>({T(4), T(0.2), T(0.04)}), {{}, turned}, {}, {T(0), T(40), T(0)}}, kinematic<T>());
+    const BodyId ball = s.add({Sphere<T>(T(0.1)), {{T(0), T(0), T(1.5)}, {}}});
+    for (int i = 0; i < 16; ++i) s.step(T(dt));
+    EXPECT_GT(length(s.motion(ball).linear), T(20)) << offset;
+  }
+}
+
+/// What hard joints hold together is taken along together.
+TYPED_TEST(Continuous, JoinedBodiesStayTogether) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(0)));
+  const BodyId first = s.add({Sphere<T>(T(0.2))});
+  const BodyId second = s.add({Sphere<T>(T(0.2)), {{T(0.5), T(0), T(0)}, {}}});
+  s.add(fixed_joint<T>(first, {{T(0.5), T(0), T(0)}, {}}, second, {}));
+  s.add({Box<T>({T(0.02), T(2), T(2)}), {{T(-3), T(0), T(0)}, {}}, {T(50), T(0), T(0)}}, kinematic<T>());
+  for (int i = 0; i < 64; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.motion(first).linear.x, T(50), T(2));
+  EXPECT_NEAR(s.motion(second).linear.x, T(50), T(2));
+  EXPECT_NEAR(s.poses()[second.index].translation.x - s.poses()[first.index].translation.x, T(0.5), T(0.01));
+}
+
+}  // namespace
+}  // namespace graze::testing
