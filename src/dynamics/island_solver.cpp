@@ -42,7 +42,7 @@ constexpr T parted = T(0.01);
 
 /// The part of a size by which points are deeper than their bodies came in a step where these were put into each other.
 template <class T>
-constexpr T put_in = T(0.01);
+constexpr T put_in = T(0.003);
 
 /// Bodies, and chunks of contacts, of an island in one task: so many that handing it out costs little in comparison.
 constexpr std::size_t bodies_per_block = 64, chunks_per_task = 4;

@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 17269105721923966589u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 321765831011475224u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 17204574086467240678u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 17125775067648296903u;
 
 template <class T>
 class MovingRun {

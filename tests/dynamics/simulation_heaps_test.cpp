@@ -67,7 +67,7 @@ TYPED_TEST(SimulationHeaps, WhatBeginsInOneComesApart) {
 }
 
 /// Ten boxes on each other that overlap by so much of their size come apart no faster than one contact pushes, and none
-/// is thrown: the tower grows, at most by the way of that speed, and where it overlaps little it stands.
+/// is thrown: the tower grows to its height, and where it overlaps by no more than a tenth it stands.
 TYPED_TEST(SimulationHeaps, TowersThatOverlapGrow) {
   using T = TypeParam;
   for (const double overlap : {0.01, 0.03, 0.1, 0.5}) {
@@ -84,9 +84,9 @@ TYPED_TEST(SimulationHeaps, TowersThatOverlapGrow) {
         highest = std::max(highest, s.poses()[id.index].translation.y);
       }
     }
-    EXPECT_LT(fastest, T(1.5) * std::sqrt(T(10))) << overlap;
-    EXPECT_LT(highest, T(9.5) + T(0.2)) << overlap;
-    if (overlap > 0.03) continue;
+    EXPECT_LT(fastest, std::sqrt(T(10))) << overlap;
+    EXPECT_LT(highest, T(9.5) + T(0.1)) << overlap;
+    if (overlap > 0.1) continue;
     const Vec3<T> top = s.poses()[boxes.back().index].translation;
     EXPECT_NEAR(top.y, T(9.5), T(0.02)) << overlap;
     EXPECT_LT(std::abs(top.x) + std::abs(top.z), T(0.5)) << overlap;
