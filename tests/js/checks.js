@@ -220,6 +220,91 @@ export const checks = [
     }
   }],
 
+  ["an object that a call uses is not changed by the call's callbacks", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {
+        const at = (x) => ({ translation: library === entry ? [x, 0, 0] : [x, 0] });
+        const box = library === entry ? new entry.Box([2, 2, 2]) : new library.Box([2, 2]);
+        let tried = [];
+        let meddle = () => {};
+        const attempt = (...actions) => {
+          const tries = actions.map(() => null);
+          tried.push(tries);
+          return actions.forEach((action, i) => {
+            try {
+              action();
+            } catch (error) {
+              tries[i] = error.message;
+            }
+          });
+        };
+        const cube = new library.UserConvex((d) => {
+          const act = meddle;
+          meddle = () => {}; // once a call
+          act();
+          return d.map((x) => (x < 0 ? -1 : 1));
+        });
+        const held = (use, ...actions) => {
+          tried = [];
+          meddle = () => attempt(...actions);
+          const answer = use();
+          ok(tried.length > 0, "that the callback ran");
+          return answer;
+        };
+        const reason = (what, how) => `${what}: in use: another call ${how} it at this moment`;
+        let world = new library.World({
+          allow: () => {
+            meddle();
+            return true;
+          },
+        });
+        const ids = [world.add({ shape: box }), world.add({ shape: cube, ...at(1.5) })];
+        held(() => world.update(), () => world.dispose(), () => world.remove(ids[0]), () => {
+          for (let i = 0; i < 2000; ++i) world.add({ shape: box, ...at(3 * i) });
+        }, () => world.contacts());
+        equal(tried[0], [reason("dispose", "changes"), ...Array(3).fill(reason("world", "changes"))], "an update");
+        equal([world.size, world.contacts().length], [2, 1], "nothing lost");
+        held(() => world.overlapping(box, {}, { accept: () => { meddle(); return true; } }),
+          () => world.dispose(), () => world.move(ids[0], at(9)), () => world.update(), () => world.pose(ids[0]));
+        equal(tried[0], [reason("dispose", "reads"), reason("world", "reads"), reason("world", "reads"), null], "a query");
+        // Refused where it is not caught: what the call was about has been done.
+        meddle = () => world.dispose();
+        throws(() => world.overlapping(cube, {}), reason("dispose", "reads"), Error);
+        world.update();
+        world.dispose();
+
+        held(() => library.distance(cube, {}, box, at(4)), () => cube.dispose(), () => box.dispose());
+        equal(tried[0], Array(2).fill(reason("dispose", "reads")), "shapes");
+        // A query inside a query's callback does not disturb it.
+        let inner;
+        const outer = held(() => library.contacts(cube, {}, box, at(1.75)), () => {
+          inner = library.contacts(box, {}, box, at(1.5));
+        });
+        equal(outer, library.contacts(cube, {}, box, at(1.75)), "the outer query");
+        equal(inner, library.contacts(box, {}, box, at(1.5)), "the inner query");
+        const poses = new entry.Numbers(library === entry ? 7 : 4);
+        poses.array[library === entry ? 6 : 2] = 1;
+        held(() => library.overlapBatch({ shapes: cube, poses }, { shapes: box, poses }), () => poses.dispose());
+        equal(tried[0], [reason("dispose", "reads")], "numbers");
+        poses.dispose();
+
+        if (library.Simulation !== undefined) {
+          const simulation = new library.Simulation();
+          const body = simulation.add({ shape: box });
+          simulation.add({ shape: cube, ...at(1.5) });
+          held(() => simulation.step(1 / 60), () => simulation.dispose(), () => simulation.remove(body),
+            () => simulation.world.events());
+          equal(tried[0], [reason("dispose", "changes"), ...Array(2).fill(reason("simulation", "changes"))], "a step");
+          held(() => simulation.world.raycast({ origin: [-9, 0, 0].slice(0, at(0).translation.length),
+              direction: [1, 0, 0].slice(0, at(0).translation.length) }, { accept: () => { meddle(); return true; } }),
+            () => simulation.dispose(), () => simulation.step(1 / 60), () => simulation.pose(body));
+          equal(tried[0], [reason("dispose", "reads"), reason("simulation", "reads"), null], "a query of its world");
+          simulation.dispose();
+        }
+        for (const shape of [box, cube]) shape.dispose();
+      }
+  }],
+
   ["at most so many points of a pair", ({ graze, double }) => {
     for (const { Box, contacts, plane, InvalidValue } of [graze, double]) {
       const box = new Box([1, 1, 1]);

@@ -38,10 +38,8 @@ export function batches(core, layout, dimension, Rows, Handle) {
 
   /** Memory in which answers stand until they are disposed of. */
   class Store extends Handle {
-    constructor(size) {
-      const pointer = core.allocate(Math.max(1, size));
+    constructor(pointer) {
       super(pointer, (p) => core.exports.free(p));
-      new Uint8Array(core.memory().buffer, pointer, size).fill(0);
     }
     get pointer() {
       return Handle.pointer(this, "batch", Store);
@@ -62,14 +60,16 @@ export function batches(core, layout, dimension, Rows, Handle) {
   }
   /** Answers that `fill` writes; where it throws, their memory is given back. */
   const filled = (type, length, fill) => {
-    const store = new Store(length * type.size);
+    const size = length * type.size;
+    const pointer = core.allocate(Math.max(1, size));
     try {
-      fill(store.pointer);
+      new Uint8Array(core.memory().buffer, pointer, size).fill(0);
+      fill(pointer);
     } catch (error) {
-      store.dispose();
+      core.exports.free(pointer);
       throw error;
     }
-    return new Batch(type, store, length);
+    return new Batch(type, new Store(pointer), length);
   };
 
   /** The place of bodies' poses: one behind the other, or translations and rotations by themselves. */

@@ -24,14 +24,14 @@ export function broadPhases(core, layout, args, ask, Handle) {
       this.kind = kind;
     }
     insert(id, lower, upper) {
-      core.frame(() => call("insert", at(this), id, box(lower, upper)));
+      core.frame(() => call("insert", changed(this), id, box(lower, upper)));
       this.#boxes += 1;
     }
     move(id, lower, upper) {
-      core.frame(() => call("move", at(this), id, box(lower, upper)));
+      core.frame(() => call("move", changed(this), id, box(lower, upper)));
     }
     remove(id) {
-      core.frame(() => call("remove", at(this), id));
+      core.frame(() => call("remove", changed(this), id));
       this.#boxes -= 1;
     }
     pairs() {
@@ -74,5 +74,6 @@ export function broadPhases(core, layout, args, ask, Handle) {
     return new Uint32Array(core.data.buffer, first, each * count).slice();
   };
   const at = (broad) => Handle.pointer(broad, "broadPhase", BroadPhase);
+  const changed = (broad) => Handle.changed(broad, "broadPhase", BroadPhase);
   return { BroadPhase };
 }

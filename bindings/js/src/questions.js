@@ -21,14 +21,15 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     return core.data.getUint8(there) === 0 ? null : type.read(p);
   };
 
-  /** Room for answers of no fixed number, one for all queries of a dimension. */
-  let buffer = 0;
+  /** Room for answers of no fixed number: one for all queries of a dimension, and one for those of callbacks at each
+   * depth, since a query that waits for its callback fills its own. */
+  const buffers = [];
   const room = () => {
-    if (buffer !== 0) return buffer;
+    if (buffers[core.depth] !== undefined) return buffers[core.depth];
     const p = core.room(4);
     core.call("buffer_create", p);
-    buffer = core.data.getUint32(p, true);
-    return buffer;
+    buffers[core.depth] = core.data.getUint32(p, true);
+    return buffers[core.depth];
   };
   /** The place of an array that belongs to the buffer, and its length. */
   const place = (body) => {

@@ -190,15 +190,15 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       questionable(this, () => Handle.pointer(this, "world", World));
     }
     add(body) {
-      return core.frame(() => answered(layout.id, (p) => call("add", at(this), bodyAt(body), p)));
+      return core.frame(() => answered(layout.id, (p) => call("add", changed(this), bodyAt(body), p)));
     }
     remove(id) {
-      core.frame(() => call("remove", at(this), idAt(id, "body")));
+      core.frame(() => call("remove", changed(this), idAt(id, "body")));
     }
     move(id, to, velocity) {
       core.frame(() => {
         const v = velocity === undefined ? 0 : written(types.velocity, velocity, "velocity");
-        call("move", at(this), idAt(id, "body"), pose(to, "pose"), v);
+        call("move", changed(this), idAt(id, "body"), pose(to, "pose"), v);
       });
     }
     moveBatch(ids, poses) {
@@ -208,36 +208,36 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         const size = layout.id.size;
         const first = core.room(Math.max(1, count) * size);
         ids.forEach((id, i) => layout.id.write(first + i * size, id, `ids[${i}]`));
-        call("move_batch", at(this), first, 0, pointer, 0, count);
+        call("move_batch", changed(this), first, 0, pointer, 0, count);
       });
     }
     setShape(id, shape) {
-      core.frame(() => call("set_shape", at(this), idAt(id, "body"), of(shape)));
+      core.frame(() => call("set_shape", changed(this), idAt(id, "body"), of(shape)));
     }
     setFilter(id, filter) {
       core.frame(() => {
         const p = core.room(layout.filter.size);
         writeFilter(p, filter, "filter");
-        call("set_filter", at(this), idAt(id, "body"), p);
+        call("set_filter", changed(this), idAt(id, "body"), p);
       });
     }
     setFast(id, fast) {
-      core.frame(() => call("set_fast", at(this), idAt(id, "body"), fast ? 1 : 0));
+      core.frame(() => call("set_fast", changed(this), idAt(id, "body"), fast ? 1 : 0));
     }
     setName(id, name) {
-      core.frame(() => call("set_name", at(this), idAt(id, "body"), core.written(name, "name")));
+      core.frame(() => call("set_name", changed(this), idAt(id, "body"), core.written(name, "name")));
     }
     update(duration = 0) {
-      core.frame(() => call("update", at(this), duration));
+      core.frame(() => call("update", changed(this), duration));
     }
     findImpacts(duration) {
-      core.frame(() => call("find_impacts", at(this), duration));
+      core.frame(() => call("find_impacts", changed(this), duration));
     }
     reduce(most) {
-      core.frame(() => call("reduce", at(this), most));
+      core.frame(() => call("reduce", changed(this), most));
     }
   }
-  const at = (world) => Handle.pointer(world, "world", World);
+  const changed = (world) => Handle.changed(world, "world", World);
 
   return { World, idAt, bodyAt, questionable, pointerOf };
 }
