@@ -158,7 +158,8 @@ export class HalfSpace extends Shape {
 export class ConvexHull extends Shape {
   constructor(points: Points);
 }
-/** A convex shape of your own: `support` returns a point furthest along a direction, which is not zero. */
+/** A convex shape of your own: `support` returns a point furthest along a direction, which is not zero. What it throws, and
+ * an `InvalidValue` for what is no point, comes out of the call that asked it. */
 export class UserConvex extends Shape {
   constructor(support: (direction: Vec3) => Vec3Like);
 }

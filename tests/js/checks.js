@@ -220,6 +220,31 @@ export const checks = [
     }
   }],
 
+  ["a support function that gives no point is refused", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {
+        const n = library === entry ? 3 : 2;
+        const refused = (message) => (answer) => throws(() => new library.UserConvex(() => answer), message, entry.InvalidValue);
+        for (const [answer, got] of [[undefined, "undefined"], [null, "null"], [new Array(n - 1).fill(1), n - 1], ["abc", '"abc"'], [{}, "Object"]])
+          refused(`support: expected ${n} numbers, got ${got}`)(answer);
+        // One that does so later throws from the query, which works again afterwards.
+        let answer = (d) => d.map(Math.sign);
+        const cube = new library.UserConvex((d) => answer(d));
+        const at = { translation: [4, 0, 0].slice(0, n) };
+        const before = library.distance(cube, {}, cube, at);
+        const good = answer;
+        answer = () => undefined;
+        throws(() => library.distance(cube, {}, cube, at), `support: expected ${n} numbers, got undefined`, entry.InvalidValue);
+        answer = good;
+        equal(library.distance(cube, {}, cube, at), before, "afterwards");
+        cube.dispose();
+        const held = entry.memoryInUse();
+        for (let i = 0; i < 20; ++i)
+          throws(() => new library.UserConvex(() => { throw new Error("mine"); }), "mine", Error);
+        equal(entry.memoryInUse(), held, "memory of shapes that were not made");
+      }
+  }],
+
   ["an object that a call uses is not changed by the call's callbacks", ({ graze, double, queries }) => {
     for (const entry of [graze, double, queries])
       for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {

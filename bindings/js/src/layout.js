@@ -8,6 +8,9 @@ const named = (values, value, path) => {
   return place;
 };
 
+/** The length of an array in an error, and anything else as it is. */
+const amount = (value) => (typeof value === "object" && value !== null ? value.length : undefined) ?? shown(value);
+
 export function layouts(core) {
   const plain = (size, get, set) => ({
     size,
@@ -38,7 +41,7 @@ export function layouts(core) {
     read: (p) => Array.from({ length: count }, (_, i) => type.read(p + i * type.size)),
     write(p, v, path) {
       if (v === null || typeof v !== "object" || v.length !== count)
-        throw new InvalidValue(`${path}: expected ${count} numbers, got ${v?.length ?? shown(v)}`);
+        throw new InvalidValue(`${path}: expected ${count} numbers, got ${amount(v)}`);
       for (let i = 0; i < count; ++i) type.write(p + i * type.size, v[i], path);
     },
   });

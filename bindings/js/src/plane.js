@@ -7,7 +7,7 @@ import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
 import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
-import { sides, userConvex } from "./shapes.js";
+import { newShape, sides, userConvex } from "./shapes.js";
 import { simulationClasses } from "./simulation.js";
 import { worldClasses } from "./world.js";
 
@@ -19,11 +19,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const types = layout.plane;
   const release = (pointer) => core.exports[`graze_plane_shape_release_${core.scalar}`](pointer);
   const made = (name, parameters) =>
-    core.frame(() => {
-      const result = core.room(4);
-      core.call(`plane_shape_${name}`, ...parameters(), result);
-      return core.data.getUint32(result, true);
-    });
+    newShape(core, release, (result) => core.call(`plane_shape_${name}`, ...parameters(), result));
   const vec2 = (v, path) => written(layout.vec2, v, path);
   /** A pose of the C interface, whose rotation is the turned X axis, by the library's own sine and cosine. */
   const pose = (value, path) => {
@@ -103,7 +99,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   }
   class UserConvex extends Shape {
     constructor(support) {
-      super(userConvex(core, "plane_user_convex", support));
+      super(userConvex(core, release, "plane_user_convex", support));
     }
   }
   class HalfPlane extends Shape {

@@ -47,21 +47,34 @@ export function argumentsOf(core, layout) {
   return { written, pose, rows, answered, vec3: (v, path) => written(layout.vec3, v, path) };
 }
 
-/** A convex shape whose support function is the caller's, made by the module's function of that name. */
-export function userConvex(core, name, support) {
-  if (typeof support !== "function")
-    throw new InvalidValue(`userConvex.support: expected a function, got ${shown(support)}`);
-  const key = core.keep(support);
+/** The pointer that `make` writes to its argument. Where it throws, as it does for an exception of a callback, a shape that
+ * was made by then is given back. */
+export function newShape(core, release, make) {
   return core.frame(() => {
     const result = core.room(4);
     try {
-      core.check(core.exports[`graze_js_${name}_${core.scalar}`](key, result));
+      make(result);
     } catch (error) {
-      core.callbacks.delete(key); // the shape that would have released it is not there
+      const pointer = core.memory().getUint32(result, true);
+      if (pointer !== 0) release(pointer);
       throw error;
     }
     return core.data.getUint32(result, true);
   });
+}
+
+/** A convex shape whose support function is the caller's, made by the module's function of that name. */
+export function userConvex(core, release, name, support) {
+  if (typeof support !== "function")
+    throw new InvalidValue(`userConvex.support: expected a function, got ${shown(support)}`);
+  const key = core.keep(support);
+  try {
+    const make = core.exports[`graze_js_${name}_${core.scalar}`];
+    return newShape(core, release, (result) => core.check(make(key, result)));
+  } catch (error) {
+    core.callbacks.delete(key); // the shape that would have released it is not there
+    throw error;
+  }
 }
 
 export function shapeClasses(core, layout, args, Handle) {
@@ -69,11 +82,7 @@ export function shapeClasses(core, layout, args, Handle) {
   const release = (pointer) => core.exports[`graze_shape_release_${core.scalar}`](pointer);
   /** A new shape by the constructor of that name; the others are its arguments. */
   const made = (name, parameters) =>
-    core.frame(() => {
-      const result = core.room(4);
-      core.call(`shape_${name}`, ...parameters(), result);
-      return core.data.getUint32(result, true);
-    });
+    newShape(core, release, (result) => core.call(`shape_${name}`, ...parameters(), result));
 
   class Shape extends Handle {
     constructor(pointer) {
@@ -163,7 +172,7 @@ export function shapeClasses(core, layout, args, Handle) {
   }
   class UserConvex extends Shape {
     constructor(support) {
-      super(userConvex(core, "user_convex", support));
+      super(userConvex(core, release, "user_convex", support));
     }
   }
   class Mesh extends Shape {
