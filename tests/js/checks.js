@@ -245,6 +245,52 @@ export const checks = [
       }
   }],
 
+  ["what is no number, and what is no whole number, is refused as it was given", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries]) {
+      const { InvalidValue } = entry;
+      const refuses = (act, message) => throws(act, message, InvalidValue);
+      const index = (got, path) => `${path}: expected an integer from 0 to 4294967295, got ${got}`;
+      const box = new entry.Box([1, 1, 1]);
+      const broad = new entry.BroadPhase();
+      const whole = [-1, 1.5, 2 ** 33, NaN, null, "1"];
+      const shown = (value) => (typeof value === "string" ? JSON.stringify(value) : String(value));
+      const world = new entry.World();
+      const body = world.add({ shape: box });
+      const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
+      for (const value of whole) {
+        const got = shown(value);
+        for (const act of [(id) => broad.insert(id, [0, 0, 0], [1, 1, 1]), (id) => broad.move(id, [0, 0, 0], [1, 1, 1]), (id) => broad.remove(id)])
+          refuses(() => act(value), index(got, "id"));
+        refuses(() => world.nearest(box, {}, value), index(got, "most"));
+        refuses(() => entry.contacts(box, {}, box, {}, 0, value), index(got, "most"));
+        refuses(() => world.reduce(value), index(got, "most"));
+        refuses(() => world.bodyAt(value), index(got, "index"));
+        refuses(() => world.pose({ ...body, index: value }), index(got, "body.index"));
+        refuses(() => new entry.Numbers(value), index(got, "numbers.length"));
+        refuses(() => new entry.Mesh(corners, [[0, 1, value]]), index(got, "mesh.triangles[0][2]"));
+        refuses(() => new entry.Mesh(corners, [0, value, 2]), index(got, "mesh.triangles[1]"));
+        if (value !== null) refuses(() => world.slide(box, {}, [1, 0, 0], { casts: value }), index(got, "casts"));
+      }
+      refuses(() => new entry.Mesh(corners, new Int32Array([0, 1, -1])), index(-1, "mesh.triangles[2]"));
+      equal(new entry.Mesh(corners, new Uint8Array([0, 1, 2])).kind, "mesh", "indices in few bytes");
+      for (const [category, got] of [[2n ** 64n, "18446744073709551616"], [-1, "-1"], [-1n, "-1"], [0.5, "0.5"], ["1", '"1"']])
+        refuses(() => world.setFilter(body, { category }),
+          `filter.category: expected an integer or a bigint from 0 to 2^64 - 1, got ${got}`);
+      world.setFilter(body, { category: 2n ** 64n - 1n, mask: 7 });
+      refuses(() => world.setFilter(body, { group: 2 ** 31 }),
+        "filter.group: expected an integer from -2147483648 to 2147483647, got 2147483648");
+      refuses(() => new entry.Sphere(null), "sphere.radius: expected a number, got null");
+      refuses(() => new entry.Capsule(1, true), "capsule.radiusBottom: expected a number, got true");
+      refuses(() => new entry.Box(["1", 1, 1]), 'box.size[0]: expected a number, got "1"');
+      refuses(() => new entry.ConvexHull([0, 0, null]), "convexHull.points[2]: expected a number, got null");
+      refuses(() => world.update(null), "world_update: expected a number, got null");
+      refuses(() => entry.within(box, {}, box, {}, "far"), 'within: expected a number, got "far"');
+      for (const thing of [broad, world, box]) thing.dispose();
+    }
+    for (const { plane, InvalidValue } of [graze, double])
+      throws(() => new plane.Circle(undefined), "circle.radius: expected a number, got undefined", InvalidValue);
+  }],
+
   ["an object that a call uses is not changed by the call's callbacks", ({ graze, double, queries }) => {
     for (const entry of [graze, double, queries])
       for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {

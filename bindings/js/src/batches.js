@@ -1,6 +1,6 @@
 // Queries of many pairs at a time, over arrays in the module's memory.
 
-import { InvalidValue, shown } from "./core.js";
+import { InvalidValue, whole } from "./core.js";
 
 /** Structs in the module's memory: a copy of one as an object, or all of them as they stand. */
 export function rowsClass(core) {
@@ -15,8 +15,7 @@ export function rowsClass(core) {
       this.offset = Object.fromEntries(Object.entries(type.offset).map(([name, at]) => [name, at / core.numberSize]));
     }
     at(i) {
-      if (!(Number.isInteger(i) && i >= 0 && i < this.length))
-        throw new InvalidValue(`i: expected an integer >= 0 and < ${this.length}, got ${shown(i)}`);
+      whole(i, "i", this.length - 1);
       core.memory();
       return this.#type.read(this.#pointer() + i * this.#type.size);
     }

@@ -180,8 +180,10 @@ export class Core {
     return pointer;
   }
 
-  /** Calls a function of the C interface by its name without beginning and scalar; throws its errors. */
+  /** Calls a function of the C interface by its name without beginning and scalar; throws its errors. WebAssembly would
+   * take null for 0 and words for numbers. */
   call(name, ...args) {
+    for (const value of args) if (typeof value !== "number") number(value, name);
     this.check(this.exports[`graze_${name}_${this.scalar}`](...args));
   }
 
@@ -293,6 +295,27 @@ export function handleClass(core) {
       return Handle.#live(value, path, kind, "change");
     }
   };
+}
+
+/** `value`, where it is a number; nothing else becomes one. */
+export function number(value, path) {
+  if (typeof value !== "number") throw new InvalidValue(`${path}: expected a number, got ${shown(value)}`);
+  return value;
+}
+
+/** `value`, where it is a whole number from `least` to `most`: those of the module would wrap around or be cut off. */
+export function whole(value, path, most = 2 ** 32 - 1, least = 0) {
+  if (!(Number.isInteger(value) && value >= least && value <= most))
+    throw new InvalidValue(`${path}: expected an integer from ${least} to ${most}, got ${shown(value)}`);
+  return value;
+}
+
+/** `value` as a bigint, where it is a whole number of 64 bits. */
+export function bits(value, path) {
+  const given = typeof value === "bigint" || Number.isSafeInteger(value) ? BigInt(value) : -1n;
+  if (given < 0n || given >= 2n ** 64n)
+    throw new InvalidValue(`${path}: expected an integer or a bigint from 0 to 2^64 - 1, got ${shown(value)}`);
+  return given;
 }
 
 const article = (name) => `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;

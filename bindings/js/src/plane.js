@@ -1,13 +1,13 @@
 // The functions and classes of the package in two dimensions.
 
 import { batches } from "./batches.js";
-import { InvalidValue, shown } from "./core.js";
+import { InvalidValue, number, shown } from "./core.js";
 import { drawings, tessellations, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
 import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
-import { newShape, sides, userConvex } from "./shapes.js";
+import { newShape, numbers, sides, userConvex } from "./shapes.js";
 import { simulationClasses } from "./simulation.js";
 import { worldClasses } from "./world.js";
 
@@ -54,7 +54,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
         answered(types.massProperties, (p) => core.call("plane_shape_mass_properties", of(this), p)));
     }
     rounded(rounding) {
-      return new Shape(made("rounded", () => [of(this), rounding]));
+      return new Shape(made("rounded", () => [of(this), number(rounding, "rounding")]));
     }
     swept(at, motion) {
       return new Shape(made("swept", () => [of(this), pose(at, "pose"), vec2(motion, "motion")]));
@@ -69,12 +69,12 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
 
   class Circle extends Shape {
     constructor(radius) {
-      super(made("circle", () => [radius]));
+      super(made("circle", () => numbers("circle", { radius })));
     }
   }
   class Capsule extends Shape {
     constructor(height, radiusBottom, radiusTop = radiusBottom) {
-      super(made("capsule", () => [height, radiusBottom, radiusTop]));
+      super(made("capsule", () => numbers("capsule", { height, radiusBottom, radiusTop })));
     }
   }
   class Box extends Shape {

@@ -1,6 +1,6 @@
 // Queries of two shapes, in space and in the plane.
 
-import { InvalidValue, shown } from "./core.js";
+import { whole } from "./core.js";
 import { named } from "./layout.js";
 import { traceReader } from "./trace.js";
 
@@ -105,7 +105,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     contacts(a, poseA, b, poseB, margin = 0, most = undefined) {
       if (most === undefined) return plainly.contacts(a, poseA, b, poseB, margin);
       const p = core.room(layout.contacts.size);
-      call("contacts_reduced", ...two(a, poseA, b, poseB), margin, most, room(), p);
+      call("contacts_reduced", ...two(a, poseA, b, poseB), margin, whole(most, "most"), room(), p);
       return contactsAt(p);
     },
     within: (a, poseA, b, poseB, limit) => yes("within", ...two(a, poseA, b, poseB), limit),
@@ -115,9 +115,8 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
       listed(types.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
     contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
     featureCorners(shape, feature, piece = 0) {
-      if (!Number.isInteger(feature) || feature < 0 || feature > 0xffff)
-        throw new InvalidValue(`feature: expected an integer from 0 to 65535, got ${shown(feature)}`);
-      return listed(types.vector, (...to) => call("feature_corners", of(shape), piece, feature, ...to));
+      const names = [whole(piece, "piece"), whole(feature, "feature", 0xffff)];
+      return listed(types.vector, (...to) => call("feature_corners", of(shape), ...names, ...to));
     },
     raycastAny: (...question) => yes("raycast_any", ...rayAt(...question)),
     raycastAll: (...question) => listed(types.rayHit, (...to) => call("raycast_all", ...rayAt(...question), ...to)),

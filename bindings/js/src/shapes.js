@@ -1,6 +1,6 @@
 // Shapes, poses and numbers in the module's memory: the arguments of every query.
 
-import { InvalidValue, shown } from "./core.js";
+import { InvalidValue, number, shown, whole } from "./core.js";
 import { named } from "./layout.js";
 
 const kinds = [
@@ -29,12 +29,18 @@ export function argumentsOf(core, layout) {
       throw new InvalidValue(`${path}: expected a multiple of ${width} numbers, got ${length}`);
     const p = core.room(Math.max(1, length) * View.BYTES_PER_ELEMENT);
     const to = new View(core.memory().buffer, p, length);
-    if (!nested) to.set(values);
+    const checked = View === Uint32Array ? whole : number;
+    const set = (from, at, name) => {
+      if (!(from instanceof View || (checked === number && ArrayBuffer.isView(from))))
+        for (let i = 0; i < from.length; ++i) checked(from[i], `${name}[${i}]`);
+      to.set(from, at);
+    };
+    if (!nested) set(values, 0, path);
     else
       values.forEach((row, i) => {
         if (row?.length !== width)
           throw new InvalidValue(`${path}[${i}]: expected ${width} numbers, got ${row?.length ?? shown(row)}`);
-        to.set(row, i * width);
+        set(row, i * width, `${path}[${i}]`);
       });
     return { pointer: p, count: length / width };
   };
@@ -46,6 +52,10 @@ export function argumentsOf(core, layout) {
   };
   return { written, pose, rows, answered, vec3: (v, path) => written(layout.vec3, v, path) };
 }
+
+/** The values of an object, numbers that are named below `path`. */
+export const numbers = (path, values) =>
+  Object.entries(values).map(([name, value]) => number(value, `${path}.${name}`));
 
 /** The pointer that `make` writes to its argument. Where it throws, as it does for an exception of a callback, a shape that
  * was made by then is given back. */
@@ -107,7 +117,7 @@ export function shapeClasses(core, layout, args, Handle) {
         answered(layout.massProperties, (p) => core.call("shape_mass_properties", of(this), p)));
     }
     rounded(rounding) {
-      return new Shape(made("rounded", () => [of(this), rounding]));
+      return new Shape(made("rounded", () => [of(this), number(rounding, "rounding")]));
     }
     swept(at, motion) {
       return new Shape(made("swept", () => [of(this), pose(at, "pose"), vec3(motion, "motion")]));
@@ -117,12 +127,12 @@ export function shapeClasses(core, layout, args, Handle) {
 
   class Sphere extends Shape {
     constructor(radius, center = origin) {
-      super(made("sphere", () => [radius, vec3(center, "sphere.center")]));
+      super(made("sphere", () => [number(radius, "sphere.radius"), vec3(center, "sphere.center")]));
     }
   }
   class Capsule extends Shape {
     constructor(height, radiusBottom, radiusTop = radiusBottom) {
-      super(made("capsule", () => [height, radiusBottom, radiusTop]));
+      super(made("capsule", () => numbers("capsule", { height, radiusBottom, radiusTop })));
     }
   }
   class Box extends Shape {
@@ -132,12 +142,12 @@ export function shapeClasses(core, layout, args, Handle) {
   }
   class Rectangle extends Shape {
     constructor(sizeX, sizeZ) {
-      super(made("rectangle", () => [sizeX, sizeZ]));
+      super(made("rectangle", () => numbers("rectangle", { sizeX, sizeZ })));
     }
   }
   class Cylinder extends Shape {
     constructor(height, radiusBottom, radiusTop = radiusBottom) {
-      super(made("cylinder", () => [height, radiusBottom, radiusTop]));
+      super(made("cylinder", () => numbers("cylinder", { height, radiusBottom, radiusTop })));
     }
   }
   class Ellipsoid extends Shape {
@@ -194,15 +204,18 @@ export function shapeClasses(core, layout, args, Handle) {
     constructor(heights, columns, rowCount, options = {}) {
       super(
         made("height_field", () => {
+          whole(columns, "heightField.columns");
+          whole(rowCount, "heightField.rowCount");
           if (heights?.length !== columns * rowCount)
             throw new InvalidValue(
               `heightField.heights: expected ${columns} * ${rowCount} numbers, got ${heights?.length ?? shown(heights)}`);
           // A value that is no number is a hole, and null would become 0.
           const values = Array.isArray(heights) ? heights.map((h) => h ?? NaN) : heights;
-          const spacing = options.spacing ?? [1, 1];
+          const [sizeX, sizeZ] = options.spacing ?? [1, 1];
+          const spacing = [number(sizeX, "heightField.spacing[0]"), number(sizeZ, "heightField.spacing[1]")];
           const seen = named(sides, options.sides ?? "both", "heightField.sides");
           const { pointer } = rows(values, 1, "heightField.heights");
-          return [pointer, 0, columns, rowCount, 0, spacing[0], spacing[1], seen];
+          return [pointer, 0, columns, rowCount, 0, ...spacing, seen];
         }),
       );
     }
@@ -228,8 +241,7 @@ export function shapeClasses(core, layout, args, Handle) {
   /** Numbers in the module's memory. */
   class Numbers extends Handle {
     constructor(length) {
-      if (!Number.isInteger(length) || length < 0)
-        throw new InvalidValue(`numbers.length: expected an integer >= 0, got ${shown(length)}`);
+      whole(length, "numbers.length");
       core.memory();
       const pointer = core.allocate(Math.max(1, length) * core.numberSize);
       super(pointer, (p) => core.exports.free(p));

@@ -1,15 +1,10 @@
 // Bodies, the pairs that touch, and queries of them.
 
 import { created } from "./capture.js";
-import { InvalidValue, shown } from "./core.js";
+import { InvalidValue, shown, whole } from "./core.js";
 
 /** The casts of a slide, at most, as `SlideOptions` of C++ has them. */
 const usualCasts = 6;
-
-const integers = (value, path) => {
-  if (typeof value === "bigint" || (Number.isSafeInteger(value) && value >= 0)) return BigInt(value);
-  throw new InvalidValue(`${path}: expected an integer >= 0 or a bigint, got ${shown(value)}`);
-};
 
 /** The worlds of a dimension, whose poses are written by `pose` and shown by `shown` once they are read. */
 export function worldClasses(core, layout, dimension, Rows, Handle) {
@@ -20,16 +15,13 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   const poseNumbers = types.pose.size / core.numberSize;
 
   const idAt = (value, path) => {
-    if (!Number.isInteger(value?.index) || !Number.isInteger(value?.generation))
+    if (value?.index === undefined || value.generation === undefined)
       throw new InvalidValue(`${path}: expected a handle of a body or joint, got ${shown(value)}`);
     return written(layout.id, value, path);
   };
   const writeFilter = (place, filter, path) => {
     layout.filter.write(place, {
-      category: integers(filter.category ?? 1n, `${path}.category`),
-      mask: integers(filter.mask ?? 0xffffffffffffffffn, `${path}.mask`),
-      group: filter.group ?? 0,
-    });
+      category: filter.category ?? 1n, mask: filter.mask ?? 0xffffffffffffffffn, group: filter.group ?? 0 }, path);
   };
   const bodyAt = (body) => {
     const p = core.room(types.body.size);
@@ -78,7 +70,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     },
     contains: (id) => yes("contains", pointer(), idAt(id, "body")),
     bodyAt: (index) =>
-      ask.found(layout.id, (there, p) => call("body_at", pointer(), index, there, p)),
+      ask.found(layout.id, (there, p) => call("body_at", pointer(), whole(index, "index"), there, p)),
     pose(id) {
       const body = answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p));
       core.exports[release](body.shape); // one more share, which the call has added
@@ -122,7 +114,8 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       filtered(filter, (f) => yes("overlaps_any", pointer(), of(shape), pose(at, "pose"), f)),
     nearest: (shape, at, most, options) =>
       filtered(options, (f) =>
-        listed(types.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), most, options?.limit ?? Infinity, f)),
+        listed(types.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), whole(most, "most"),
+          options?.limit ?? Infinity, f)),
     raycast: (ray, options) =>
       filtered(options, (f) =>
         ask.found(types.bodyRayHit, (there, p) =>
@@ -149,8 +142,8 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         const way = written(types.vector, motion, "motion");
         const touched = ask.listed(types.bodyCastHit, (buffer, first, count) =>
           call(
-            "slide", pointer(), of(shape), pose(at, "pose"), way, options?.casts ?? usualCasts, f, buffer, end, left,
-            first, count));
+            "slide", pointer(), of(shape), pose(at, "pose"), way, whole(options?.casts ?? usualCasts, "casts"), f,
+            buffer, end, left, first, count));
         return { end: shownPose(types.pose.read(end)), left: types.vector.read(left), touched };
       }),
     memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
@@ -179,7 +172,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         const p = core.room(layout.worldSettings.size);
         const { margin, pointsPerPair } = settings;
         layout.worldSettings.write(p, {
-          hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 });
+          hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 }, "settings");
         return p;
       };
       const [pointer, release] = created(core, `${prefix}world`, begin, settings.capture);
@@ -234,7 +227,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       core.frame(() => call("find_impacts", changed(this), duration));
     }
     reduce(most) {
-      core.frame(() => call("reduce", changed(this), most));
+      core.frame(() => call("reduce", changed(this), whole(most, "most")));
     }
   }
   const changed = (world) => Handle.changed(world, "world", World);
