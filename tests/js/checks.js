@@ -291,6 +291,49 @@ export const checks = [
       throws(() => new plane.Circle(undefined), "circle.radius: expected a number, got undefined", InvalidValue);
   }],
 
+  ["what is no pose is not taken for the origin", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {
+        const box = library === entry ? new entry.Box([2, 2, 2]) : new library.Box([2, 2]);
+        const refuses = (act, message) => throws(act, message, entry.InvalidValue);
+        const expected = "expected an object with a translation and a rotation, got";
+        for (const [pose, got] of [[[1, 2, 3], "Array"], [new Float32Array(7), "Float32Array"], [null, "null"], [3, "3"]])
+          refuses(() => library.overlap(box, pose, box, {}), `poseA: ${expected} ${got}`);
+        refuses(() => library.overlap(box, {}, box, { translaton: [9, 9, 9] }), "poseB: expected translation, rotation, got translaton");
+        const still = library === entry ? [0, 0, 0] : [0, 0];
+        const movement = "translation, rotation, shape, linear, angular";
+        refuses(() => library.cast({ shape: box, velocity: still }, { shape: box }), `a: expected ${movement}, got velocity`);
+        refuses(() => library.poseAt({ position: still }, 1), `pose: expected ${movement}, got position`);
+        refuses(() => new library.Compound([{ shape: box, at: still }]),
+          "compound.children[0]: expected translation, rotation, shape, got at");
+        const world = new library.World();
+        refuses(() => world.add({ shape: box, fixd: true }), `body: expected ${movement}, filter, fixed, trigger, fast, got fixd`);
+        equal(library.overlap(box, undefined, box, world.pose(world.add({ shape: box, linear: still, fast: true }))), true, "a pose");
+        world.dispose();
+        box.dispose();
+      }
+    // Each entry has a memory of its own.
+    const box = new graze.Box([1, 1, 1]);
+    for (const other of [queries, double])
+      throws(() => graze.overlapBatch({ shapes: box, poses: [0, 0, 0, 0, 0, 0, 1] }, { shapes: box, poses: new other.Numbers(7) }),
+        "b.poses: expected an array, or Numbers of this entry, got Numbers", graze.InvalidValue);
+    box.dispose();
+  }],
+
+  ["angles that are not finite are refused", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const angle of [NaN, Infinity, "x", null])
+        throws(() => entry.turned([0, 0, 0], [0, 0, 1], angle),
+          `angle: expected a finite number, got ${angle === "x" ? '"x"' : angle}`, entry.InvalidValue);
+    for (const { plane, InvalidValue } of [graze, double]) {
+      const box = new plane.Box([1, 1]);
+      for (const rotation of [NaN, -Infinity, "x", null])
+        throws(() => plane.overlap(box, { rotation }, box, {}),
+          `poseA.rotation: expected a finite number, got ${rotation === "x" ? '"x"' : rotation}`, InvalidValue);
+      box.dispose();
+    }
+  }],
+
   ["an object that a call uses is not changed by the call's callbacks", ({ graze, double, queries }) => {
     for (const entry of [graze, double, queries])
       for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {

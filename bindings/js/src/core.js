@@ -251,14 +251,18 @@ class Uses {
   }
 }
 
+/** The base of the `Handle`s of all entries. */
+export class AnyHandle {}
+
 /** The base of all objects that lie in the module's memory. */
 export function handleClass(core) {
-  return class Handle {
+  return class Handle extends AnyHandle {
     #pointer;
     #release;
     #uses = new Uses();
     /** `release` gives the object behind `pointer` back. */
     constructor(pointer, release) {
+      super();
       this.#pointer = pointer;
       this.#release = release;
       core.finalizers.register(this, { release, pointer }, this);
@@ -300,6 +304,12 @@ export function handleClass(core) {
 /** `value`, where it is a number; nothing else becomes one. */
 export function number(value, path) {
   if (typeof value !== "number") throw new InvalidValue(`${path}: expected a number, got ${shown(value)}`);
+  return value;
+}
+
+/** `value`, where it is a finite number. */
+export function finite(value, path) {
+  if (!Number.isFinite(value)) throw new InvalidValue(`${path}: expected a finite number, got ${shown(value)}`);
   return value;
 }
 

@@ -1,18 +1,19 @@
 // The functions and classes of the package in two dimensions.
 
 import { batches } from "./batches.js";
-import { InvalidValue, number, shown } from "./core.js";
+import { finite, InvalidValue, number, shown } from "./core.js";
 import { drawings, tessellations, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
 import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
-import { newShape, numbers, sides, userConvex } from "./shapes.js";
+import { movingMembers, newShape, numbers, placed, sides, userConvex } from "./shapes.js";
 import { simulationClasses } from "./simulation.js";
 import { worldClasses } from "./world.js";
 
 const kinds = [
   "circle", "capsule", "box", "segment", "convex", "ellipse", "userConvex", "halfPlane", "polygon", "chain", "compound"];
+const origin = [0, 0];
 
 export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const { written, rows, answered } = args;
@@ -22,11 +23,11 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
     newShape(core, release, (result) => core.call(`plane_shape_${name}`, ...parameters(), result));
   const vec2 = (v, path) => written(layout.vec2, v, path);
   /** A pose of the C interface, whose rotation is the turned X axis, by the library's own sine and cosine. */
-  const pose = (value, path) => {
-    const [x, y] = value?.translation ?? [0, 0];
+  const pose = (value, path, besides = []) => {
+    const { translation, rotation } = placed(value, path, besides, origin, 0);
     const p = core.room(types.pose.size);
-    core.exports[`graze_plane_pose_${core.scalar}`](p, x, y, value?.rotation ?? 0);
-    if (value?.translation !== undefined) layout.vec2.write(p, value.translation, `${path}.translation`);
+    core.exports[`graze_plane_pose_${core.scalar}`](p, 0, 0, finite(rotation, `${path}.rotation`));
+    layout.vec2.write(p, translation, `${path}.translation`);
     return p;
   };
 
@@ -130,7 +131,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
           const first = core.room(Math.max(1, children.length) * size);
           children.forEach((child, i) => {
             const path = `compound.children[${i}]`;
-            const at = pose(child, path);
+            const at = pose(child, path, ["shape"]);
             types.child.write(first + i * size, { shape: of(child.shape, `${path}.shape`) });
             core.copy(at, first + i * size + offset.pose, types.pose.size);
           });
@@ -180,7 +181,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       poseAt(body, t) {
         const { linear, angular } = body;
         const velocity = written(types.velocity, { linear, angular }, "velocity");
-        return angle(answered(types.pose, (p) => ask.call("pose_at", pose(body, "pose"), velocity, t, p)));
+        return angle(answered(types.pose, (p) => ask.call("pose_at", pose(body, "pose", movingMembers), velocity, t, p)));
       },
     }),
     protocolShape: protocolShapes(core, "plane_shape_text", of),

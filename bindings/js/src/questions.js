@@ -2,6 +2,7 @@
 
 import { whole } from "./core.js";
 import { named } from "./layout.js";
+import { movingMembers } from "./shapes.js";
 import { traceReader } from "./trace.js";
 
 const backFaces = ["hit", "ignored"];
@@ -59,7 +60,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   const ray = ({ origin, direction }) => written(types.ray, { origin, direction }, "ray");
   const length = (value) => value.length ?? Infinity;
   const writeMoving = (p, body, path) => {
-    const at = pose(body, path);
+    const at = pose(body, path, movingMembers);
     const { linear, angular } = body;
     types.moving.write(p, { shape: of(body.shape, `${path}.shape`), linear, angular }, path);
     core.copy(at, p + types.moving.offset.pose, types.moving.members.pose.size);
@@ -168,9 +169,10 @@ export function spaceQuestions(core, layout, args, shapes) {
       const { pointer, count } = rows(normals, 3, "normals");
       return answered(layout.vec3, (p) => call("along_planes", vec3(motion, "motion"), pointer, 0, count, p));
     },
-    poseAt({ linear, angular, ...body }, t) {
+    poseAt(body, t) {
+      const { linear, angular } = body;
       const velocity = written(layout.velocity, { linear, angular }, "velocity");
-      return answered(layout.pose, (p) => call("pose_at", pose(body, "pose"), velocity, t, p));
+      return answered(layout.pose, (p) => call("pose_at", pose(body, "pose", movingMembers), velocity, t, p));
     },
   });
   return { ask, plain };

@@ -1,6 +1,6 @@
 // Shapes, poses and numbers in the module's memory: the arguments of every query.
 
-import { InvalidValue, number, shown, whole } from "./core.js";
+import { AnyHandle, finite, InvalidValue, number, shown, whole } from "./core.js";
 import { named } from "./layout.js";
 
 const kinds = [
@@ -10,6 +10,22 @@ const noTurn = [0, 0, 0, 1];
 const origin = [0, 0, 0];
 export const sides = ["both", "front"];
 
+/** The members that a body that moves has besides those of its pose, and a body of a world. */
+export const movingMembers = ["shape", "linear", "angular"];
+export const bodyMembers = [...movingMembers, "filter", "fixed", "trigger", "fast"];
+
+/** The members of a pose, absent ones by `origin` and `rest`. An object of another kind, or with a member that is neither
+ * a pose's nor one of `besides`, is refused: a pose that is not understood would stand at the origin. */
+export function placed(value = {}, path, besides, origin, rest) {
+  if (value === null || typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value))
+    throw new InvalidValue(`${path}: expected an object with a translation and a rotation, got ${shown(value)}`);
+  for (const name in value)
+    if (name !== "translation" && name !== "rotation" && !besides.includes(name))
+      throw new InvalidValue(`${path}: expected ${["translation", "rotation", ...besides].join(", ")}, got ${name}`);
+  const { translation = origin, rotation = rest } = value;
+  return { translation, rotation };
+}
+
 /** Arguments of the C interface in scratch room, and its answers. Used inside a frame. */
 export function argumentsOf(core, layout) {
   const written = (type, value, path) => {
@@ -17,10 +33,13 @@ export function argumentsOf(core, layout) {
     type.write(p, value, path);
     return p;
   };
-  const pose = (value, path) =>
-    written(layout.pose, { translation: value?.translation ?? origin, rotation: value?.rotation ?? noTurn }, path);
+  /** A pose, in an object that may have the members `besides`. */
+  const pose = (value, path, besides = []) =>
+    written(layout.pose, placed(value, path, besides, origin, noTurn), path);
   /** Writes `values`, numbers or arrays of `width` numbers, one behind the other; returns their place and number. */
   const rows = (values, width, path, View = core.Numbers) => {
+    if (values instanceof AnyHandle)
+      throw new InvalidValue(`${path}: expected an array, or Numbers of this entry, got ${shown(values)}`);
     if (values === null || typeof values !== "object")
       throw new InvalidValue(`${path}: expected an array, got ${shown(values)}`);
     const nested = values.length > 0 && typeof values[0] === "object" && values[0] !== null;
@@ -228,9 +247,9 @@ export function shapeClasses(core, layout, args, Handle) {
           const first = core.room(Math.max(1, children.length) * size);
           children.forEach((child, i) => {
             const path = `compound.children[${i}]`;
-            const { translation = origin, rotation = noTurn } = child;
-            const shape = of(child.shape, `${path}.shape`);
-            layout.child.write(first + i * size, { shape, pose: { translation, rotation } }, path);
+            const at = pose(child, path, ["shape"]);
+            layout.child.write(first + i * size, { shape: of(child.shape, `${path}.shape`) }, path);
+            core.copy(at, first + i * size + layout.child.offset.pose, layout.pose.size);
           });
           return [first, 0, children.length];
         }),
@@ -261,6 +280,7 @@ export function shapeClasses(core, layout, args, Handle) {
   };
 
   const turned = (translation, axis, angle) => {
+    finite(angle, "angle");
     const length = Math.hypot(...axis);
     if (!(length > 0 && length < Infinity))
       throw new InvalidValue(`axis: expected a finite vector that is not zero, got [${Array.from(axis).join(", ")}]`);

@@ -2,6 +2,7 @@
 
 import { created } from "./capture.js";
 import { InvalidValue, shown, whole } from "./core.js";
+import { bodyMembers } from "./shapes.js";
 
 /** The casts of a slide, at most, as `SlideOptions` of C++ has them. */
 const usualCasts = 6;
@@ -27,7 +28,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     const p = core.room(types.body.size);
     const { linear, angular, fixed = false, trigger = false, fast = false } = body;
     types.body.write(p, { shape: of(body.shape, "body.shape"), linear, angular, fixed, trigger, fast }, "body");
-    core.copy(pose(body, "body"), p + types.body.offset.pose, types.pose.size);
+    core.copy(pose(body, "body", bodyMembers), p + types.body.offset.pose, types.pose.size);
     writeFilter(p + types.body.offset.filter, body.filter ?? {}, "body.filter");
     return p;
   };
