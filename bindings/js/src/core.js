@@ -226,8 +226,8 @@ export class Core {
 }
 
 /**
- * The calls that use an object at this moment. Callbacks run in the middle of a call: where it changes an object, nobody
- * else may use that one until it returns, and where it reads one, nobody may change it.
+ * The calls that use an object at this moment. Callbacks run in the middle of a call: where it changes an object,
+ * nobody else may use that one until it returns, and where it reads one, nobody may change it.
  */
 class Uses {
   #reading = 0;

@@ -14,8 +14,8 @@ export const sides = ["both", "front"];
 export const movingMembers = ["shape", "linear", "angular"];
 export const bodyMembers = [...movingMembers, "filter", "fixed", "trigger", "fast"];
 
-/** The members of a pose, absent ones by `origin` and `rest`. An object of another kind, or with a member that is neither
- * a pose's nor one of `besides`, is refused: a pose that is not understood would stand at the origin. */
+/** The members of a pose, absent ones by `origin` and `rest`. An object of another kind, or with a member that is
+ * neither a pose's nor one of `besides`, is refused: a pose that is not understood would stand at the origin. */
 export function placed(value = {}, path, besides, origin, rest) {
   if (value === null || typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value))
     throw new InvalidValue(`${path}: expected an object with a translation and a rotation, got ${shown(value)}`);
@@ -76,8 +76,8 @@ export function argumentsOf(core, layout) {
 export const numbers = (path, values) =>
   Object.entries(values).map(([name, value]) => number(value, `${path}.${name}`));
 
-/** The pointer that `make` writes to its argument. Where it throws, as it does for an exception of a callback, a shape that
- * was made by then is given back. */
+/** The pointer that `make` writes to its argument. Where it throws, as it does for an exception of a callback, a shape
+ * that was made by then is given back. */
 export function newShape(core, release, make) {
   return core.frame(() => {
     const result = core.room(4);
