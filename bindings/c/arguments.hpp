@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "c/error.hpp"
@@ -21,6 +22,11 @@ template <class To, class From>
 constexpr To same_bytes(const From& value) {
   return __builtin_bit_cast(To, value);
 }
+
+/// The numbers of a rotation by an angle that is not finite, for which the library has the identity. Functions that
+/// return a pose cannot fail: the call that takes the pose refuses it.
+template <class T>
+inline constexpr T no_rotation = std::numeric_limits<T>::quiet_NaN();
 
 /// Throws for a null pointer where none is allowed.
 [[noreturn]] inline void null(const char* path) { validate::fail(path, "a pointer", "null"); }

@@ -39,7 +39,9 @@ export class InvalidValue extends RangeError {}
 
 /** An object that lies in the module's memory. */
 export abstract class Handle {
-  /** Gives the memory back. Using the object afterwards throws; disposing it again does nothing. */
+  /** Gives the memory back. Using the object afterwards throws; disposing it again does nothing. Throws an `Error` ("in
+   * use: ...") in a callback of a call that uses the object, as every change of it does, and every use of one that the
+   * call changes. */
   dispose(): void;
   readonly disposed: boolean;
   [Symbol.dispose](): void;
@@ -156,7 +158,8 @@ export class HalfSpace extends Shape {
 export class ConvexHull extends Shape {
   constructor(points: Points);
 }
-/** A convex shape of your own: `support` returns a point furthest along a direction, which is not zero. */
+/** A convex shape of your own: `support` returns a point furthest along a direction, which is not zero. What it throws, and
+ * an `InvalidValue` for what is no point, comes out of the call that asked it. */
 export class UserConvex extends Shape {
   constructor(support: (direction: Vec3) => Vec3Like);
 }

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// The kind of a feature.

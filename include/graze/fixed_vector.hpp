@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// A list of up to N elements, stored in place.

@@ -505,7 +505,8 @@ typedef struct GrazeAabbd {
 } GrazeAabbd;
 
 // The identity pose; the pose at a place without rotation; the pose at a place with a rotation by `angle` about the
-// unit vector `axis`.
+// unit vector `axis`. A rotation by an angle that is not finite is made of NaN, so that the call that takes the pose
+// refuses it; so it is in the plane.
 GRAZE_C_API GrazePosed graze_pose_identity_d(void);
 GRAZE_C_API GrazePosed graze_pose_at_place_d(double x, double y, double z);
 GRAZE_C_API GrazePosed graze_pose_turned_d(GrazeVec3d translation, GrazeVec3d axis, double angle);

@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "graze/standard.hpp"
+
 namespace graze::detail {
 
 #if defined(__GNUC__) && !defined(GRAZE_PLAIN_LANES)

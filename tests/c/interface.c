@@ -52,6 +52,20 @@ static void test_errors(void) {
   REFUSED(graze_distance_d(ball, &here, NULL, &far_off, &d), "b: expected a pointer, got null");
   REFUSED(graze_distance_d(ball, &zero_pose, ball, &far_off, &d),
           "pose_a.rotation: expected a quaternion of unit length, got [0, 0, 0, 0]");
+  // Poses are returned as they are: what they cannot hold is refused by the call that takes them.
+  const double no_angles[3] = {NAN, INFINITY, -INFINITY};
+  for (int i = 0; i < 3; ++i) {
+    const GrazePosed turned = graze_pose_turned_d(origin, unit_size, no_angles[i]);
+    REFUSED(graze_distance_d(ball, &here, ball, &turned, &d),
+            "pose_b.rotation: expected a quaternion of unit length, got [nan, nan, nan, nan]");
+    const GrazePose2d beside = graze_plane_pose_d(3, 0, 0), in_plane = graze_plane_pose_d(0, 0, no_angles[i]);
+    GrazePlaneShaped* disk = NULL;
+    GrazePlaneDistanced apart;
+    OK(graze_plane_shape_circle_d(1, &disk));
+    REFUSED(graze_plane_distance_d(disk, &beside, disk, &in_plane, &apart),
+            "pose_b.rotation: expected a unit vector of cosine and sine, got [nan, nan]");
+    graze_plane_shape_release_d(disk);
+  }
   far_off.translation.y = NAN;
   REFUSED(graze_distance_d(ball, &here, ball, &far_off, &d),
           "pose_b.translation[1]: expected a finite number, got nan");

@@ -220,6 +220,205 @@ export const checks = [
     }
   }],
 
+  ["a support function that gives no point is refused", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {
+        const n = library === entry ? 3 : 2;
+        const refused = (message) => (answer) => throws(() => new library.UserConvex(() => answer), message, entry.InvalidValue);
+        for (const [answer, got] of [[undefined, "undefined"], [null, "null"], [new Array(n - 1).fill(1), n - 1], ["abc", '"abc"'], [{}, "Object"]])
+          refused(`support: expected ${n} numbers, got ${got}`)(answer);
+        // One that does so later throws from the query, which works again afterwards.
+        let answer = (d) => d.map(Math.sign);
+        const cube = new library.UserConvex((d) => answer(d));
+        const at = { translation: [4, 0, 0].slice(0, n) };
+        const before = library.distance(cube, {}, cube, at);
+        const good = answer;
+        answer = () => undefined;
+        throws(() => library.distance(cube, {}, cube, at), `support: expected ${n} numbers, got undefined`, entry.InvalidValue);
+        answer = good;
+        equal(library.distance(cube, {}, cube, at), before, "afterwards");
+        cube.dispose();
+        const held = entry.memoryInUse();
+        for (let i = 0; i < 20; ++i)
+          throws(() => new library.UserConvex(() => { throw new Error("mine"); }), "mine", Error);
+        equal(entry.memoryInUse(), held, "memory of shapes that were not made");
+      }
+  }],
+
+  ["what is no number, and what is no whole number, is refused as it was given", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries]) {
+      const { InvalidValue } = entry;
+      const refuses = (act, message) => throws(act, message, InvalidValue);
+      const index = (got, path) => `${path}: expected an integer from 0 to 4294967295, got ${got}`;
+      const box = new entry.Box([1, 1, 1]);
+      const broad = new entry.BroadPhase();
+      const whole = [-1, 1.5, 2 ** 33, NaN, null, "1"];
+      const shown = (value) => (typeof value === "string" ? JSON.stringify(value) : String(value));
+      const world = new entry.World();
+      const body = world.add({ shape: box });
+      const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
+      for (const value of whole) {
+        const got = shown(value);
+        for (const act of [(id) => broad.insert(id, [0, 0, 0], [1, 1, 1]), (id) => broad.move(id, [0, 0, 0], [1, 1, 1]), (id) => broad.remove(id)])
+          refuses(() => act(value), index(got, "id"));
+        refuses(() => world.nearest(box, {}, value), index(got, "most"));
+        refuses(() => entry.contacts(box, {}, box, {}, 0, value), index(got, "most"));
+        refuses(() => world.reduce(value), index(got, "most"));
+        refuses(() => world.bodyAt(value), index(got, "index"));
+        refuses(() => world.pose({ ...body, index: value }), index(got, "body.index"));
+        refuses(() => new entry.Numbers(value), index(got, "numbers.length"));
+        refuses(() => new entry.Mesh(corners, [[0, 1, value]]), index(got, "mesh.triangles[0][2]"));
+        refuses(() => new entry.Mesh(corners, [0, value, 2]), index(got, "mesh.triangles[1]"));
+        if (value !== null) refuses(() => world.slide(box, {}, [1, 0, 0], { casts: value }), index(got, "casts"));
+      }
+      refuses(() => new entry.Mesh(corners, new Int32Array([0, 1, -1])), index(-1, "mesh.triangles[2]"));
+      equal(new entry.Mesh(corners, new Uint8Array([0, 1, 2])).kind, "mesh", "indices in few bytes");
+      for (const [category, got] of [[2n ** 64n, "18446744073709551616"], [-1, "-1"], [-1n, "-1"], [0.5, "0.5"], ["1", '"1"']])
+        refuses(() => world.setFilter(body, { category }),
+          `filter.category: expected an integer or a bigint from 0 to 2^64 - 1, got ${got}`);
+      world.setFilter(body, { category: 2n ** 64n - 1n, mask: 7 });
+      refuses(() => world.setFilter(body, { group: 2 ** 31 }),
+        "filter.group: expected an integer from -2147483648 to 2147483647, got 2147483648");
+      refuses(() => new entry.Sphere(null), "sphere.radius: expected a number, got null");
+      refuses(() => new entry.Capsule(1, true), "capsule.radiusBottom: expected a number, got true");
+      refuses(() => new entry.Box(["1", 1, 1]), 'box.size[0]: expected a number, got "1"');
+      refuses(() => new entry.ConvexHull([0, 0, null]), "convexHull.points[2]: expected a number, got null");
+      refuses(() => world.update(null), "world_update: expected a number, got null");
+      refuses(() => entry.within(box, {}, box, {}, "far"), 'within: expected a number, got "far"');
+      for (const thing of [broad, world, box]) thing.dispose();
+    }
+    for (const { plane, InvalidValue } of [graze, double])
+      throws(() => new plane.Circle(undefined), "circle.radius: expected a number, got undefined", InvalidValue);
+  }],
+
+  ["what is no pose is not taken for the origin", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {
+        const box = library === entry ? new entry.Box([2, 2, 2]) : new library.Box([2, 2]);
+        const refuses = (act, message) => throws(act, message, entry.InvalidValue);
+        const expected = "expected an object with a translation and a rotation, got";
+        for (const [pose, got] of [[[1, 2, 3], "Array"], [new Float32Array(7), "Float32Array"], [null, "null"], [3, "3"]])
+          refuses(() => library.overlap(box, pose, box, {}), `poseA: ${expected} ${got}`);
+        refuses(() => library.overlap(box, {}, box, { translaton: [9, 9, 9] }), "poseB: expected translation, rotation, got translaton");
+        const still = library === entry ? [0, 0, 0] : [0, 0];
+        const movement = "translation, rotation, shape, linear, angular";
+        refuses(() => library.cast({ shape: box, velocity: still }, { shape: box }), `a: expected ${movement}, got velocity`);
+        refuses(() => library.poseAt({ position: still }, 1), `pose: expected ${movement}, got position`);
+        refuses(() => new library.Compound([{ shape: box, at: still }]),
+          "compound.children[0]: expected translation, rotation, shape, got at");
+        const world = new library.World();
+        refuses(() => world.add({ shape: box, fixd: true }), `body: expected ${movement}, filter, fixed, trigger, fast, got fixd`);
+        equal(library.overlap(box, undefined, box, world.pose(world.add({ shape: box, linear: still, fast: true }))), true, "a pose");
+        world.dispose();
+        box.dispose();
+      }
+    // Each entry has a memory of its own.
+    const box = new graze.Box([1, 1, 1]);
+    for (const other of [queries, double])
+      throws(() => graze.overlapBatch({ shapes: box, poses: [0, 0, 0, 0, 0, 0, 1] }, { shapes: box, poses: new other.Numbers(7) }),
+        "b.poses: expected an array, or Numbers of this entry, got Numbers", graze.InvalidValue);
+    box.dispose();
+  }],
+
+  ["angles that are not finite are refused", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const angle of [NaN, Infinity, "x", null])
+        throws(() => entry.turned([0, 0, 0], [0, 0, 1], angle),
+          `angle: expected a finite number, got ${angle === "x" ? '"x"' : angle}`, entry.InvalidValue);
+    for (const { plane, InvalidValue } of [graze, double]) {
+      const box = new plane.Box([1, 1]);
+      for (const rotation of [NaN, -Infinity, "x", null])
+        throws(() => plane.overlap(box, { rotation }, box, {}),
+          `poseA.rotation: expected a finite number, got ${rotation === "x" ? '"x"' : rotation}`, InvalidValue);
+      box.dispose();
+    }
+  }],
+
+  ["an object that a call uses is not changed by the call's callbacks", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {
+        const at = (x) => ({ translation: library === entry ? [x, 0, 0] : [x, 0] });
+        const box = library === entry ? new entry.Box([2, 2, 2]) : new library.Box([2, 2]);
+        let tried = [];
+        let meddle = () => {};
+        const attempt = (...actions) => {
+          const tries = actions.map(() => null);
+          tried.push(tries);
+          return actions.forEach((action, i) => {
+            try {
+              action();
+            } catch (error) {
+              tries[i] = error.message;
+            }
+          });
+        };
+        const cube = new library.UserConvex((d) => {
+          const act = meddle;
+          meddle = () => {}; // once a call
+          act();
+          return d.map((x) => (x < 0 ? -1 : 1));
+        });
+        const held = (use, ...actions) => {
+          tried = [];
+          meddle = () => attempt(...actions);
+          const answer = use();
+          ok(tried.length > 0, "that the callback ran");
+          return answer;
+        };
+        const reason = (what, how) => `${what}: in use: another call ${how} it at this moment`;
+        let world = new library.World({
+          allow: () => {
+            meddle();
+            return true;
+          },
+        });
+        const ids = [world.add({ shape: box }), world.add({ shape: cube, ...at(1.5) })];
+        held(() => world.update(), () => world.dispose(), () => world.remove(ids[0]), () => {
+          for (let i = 0; i < 2000; ++i) world.add({ shape: box, ...at(3 * i) });
+        }, () => world.contacts());
+        equal(tried[0], [reason("dispose", "changes"), ...Array(3).fill(reason("world", "changes"))], "an update");
+        equal([world.size, world.contacts().length], [2, 1], "nothing lost");
+        held(() => world.overlapping(box, {}, { accept: () => { meddle(); return true; } }),
+          () => world.dispose(), () => world.move(ids[0], at(9)), () => world.update(), () => world.pose(ids[0]));
+        equal(tried[0], [reason("dispose", "reads"), reason("world", "reads"), reason("world", "reads"), null], "a query");
+        // Refused where it is not caught: what the call was about has been done.
+        meddle = () => world.dispose();
+        throws(() => world.overlapping(cube, {}), reason("dispose", "reads"), Error);
+        world.update();
+        world.dispose();
+
+        held(() => library.distance(cube, {}, box, at(4)), () => cube.dispose(), () => box.dispose());
+        equal(tried[0], Array(2).fill(reason("dispose", "reads")), "shapes");
+        // A query inside a query's callback does not disturb it.
+        let inner;
+        const outer = held(() => library.contacts(cube, {}, box, at(1.75)), () => {
+          inner = library.contacts(box, {}, box, at(1.5));
+        });
+        equal(outer, library.contacts(cube, {}, box, at(1.75)), "the outer query");
+        equal(inner, library.contacts(box, {}, box, at(1.5)), "the inner query");
+        const poses = new entry.Numbers(library === entry ? 7 : 4);
+        poses.array[library === entry ? 6 : 2] = 1;
+        held(() => library.overlapBatch({ shapes: cube, poses }, { shapes: box, poses }), () => poses.dispose());
+        equal(tried[0], [reason("dispose", "reads")], "numbers");
+        poses.dispose();
+
+        if (library.Simulation !== undefined) {
+          const simulation = new library.Simulation();
+          const body = simulation.add({ shape: box });
+          simulation.add({ shape: cube, ...at(1.5) });
+          held(() => simulation.step(1 / 60), () => simulation.dispose(), () => simulation.remove(body),
+            () => simulation.world.events());
+          equal(tried[0], [reason("dispose", "changes"), ...Array(2).fill(reason("simulation", "changes"))], "a step");
+          held(() => simulation.world.raycast({ origin: [-9, 0, 0].slice(0, at(0).translation.length),
+              direction: [1, 0, 0].slice(0, at(0).translation.length) }, { accept: () => { meddle(); return true; } }),
+            () => simulation.dispose(), () => simulation.step(1 / 60), () => simulation.pose(body));
+          equal(tried[0], [reason("dispose", "reads"), reason("simulation", "reads"), null], "a query of its world");
+          simulation.dispose();
+        }
+        for (const shape of [box, cube]) shape.dispose();
+      }
+  }],
+
   ["at most so many points of a pair", ({ graze, double }) => {
     for (const { Box, contacts, plane, InvalidValue } of [graze, double]) {
       const box = new Box([1, 1, 1]);

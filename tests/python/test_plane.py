@@ -261,21 +261,3 @@ def test_batches_run_beside_other_threads():
     for thread in threads:
         thread.join()
     assert ticks > 100 and all(np.array_equal(a, expected) for a in answers)
-
-
-def test_an_error_in_a_support_function_is_reported(monkeypatch):
-    import sys
-
-    calls = []
-    reported = []
-    monkeypatch.setattr(sys, "unraisablehook", lambda args: reported.append(args))
-
-    def support(direction):
-        calls.append(1)
-        if len(calls) > 4:
-            raise RuntimeError("no")
-        return (0.0, 0.0)
-
-    shape = plane.UserConvex(support)
-    plane.distance(shape, None, plane.Circle(1), (3, 0))
-    assert reported

@@ -1,6 +1,6 @@
 // Queries of many pairs at a time, over arrays in the module's memory.
 
-import { InvalidValue, shown } from "./core.js";
+import { InvalidValue, whole } from "./core.js";
 
 /** Structs in the module's memory: a copy of one as an object, or all of them as they stand. */
 export function rowsClass(core) {
@@ -15,8 +15,7 @@ export function rowsClass(core) {
       this.offset = Object.fromEntries(Object.entries(type.offset).map(([name, at]) => [name, at / core.numberSize]));
     }
     at(i) {
-      if (!(Number.isInteger(i) && i >= 0 && i < this.length))
-        throw new InvalidValue(`i: expected an integer >= 0 and < ${this.length}, got ${shown(i)}`);
+      whole(i, "i", this.length - 1);
       core.memory();
       return this.#type.read(this.#pointer() + i * this.#type.size);
     }
@@ -38,10 +37,8 @@ export function batches(core, layout, dimension, Rows, Handle) {
 
   /** Memory in which answers stand until they are disposed of. */
   class Store extends Handle {
-    constructor(size) {
-      const pointer = core.allocate(Math.max(1, size));
+    constructor(pointer) {
       super(pointer, (p) => core.exports.free(p));
-      new Uint8Array(core.memory().buffer, pointer, size).fill(0);
     }
     get pointer() {
       return Handle.pointer(this, "batch", Store);
@@ -62,14 +59,16 @@ export function batches(core, layout, dimension, Rows, Handle) {
   }
   /** Answers that `fill` writes; where it throws, their memory is given back. */
   const filled = (type, length, fill) => {
-    const store = new Store(length * type.size);
+    const size = length * type.size;
+    const pointer = core.allocate(Math.max(1, size));
     try {
-      fill(store.pointer);
+      new Uint8Array(core.memory().buffer, pointer, size).fill(0);
+      fill(pointer);
     } catch (error) {
-      store.dispose();
+      core.exports.free(pointer);
       throw error;
     }
-    return new Batch(type, store, length);
+    return new Batch(type, new Store(pointer), length);
   };
 
   /** The place of bodies' poses: one behind the other, or translations and rotations by themselves. */

@@ -1,5 +1,6 @@
 // The broad phases, each by itself: boxes and their numbers in, pairs out.
 
+import { whole } from "./core.js";
 import { named } from "./layout.js";
 
 const kinds = ["dynamicTree", "sortAndSweep", "sweepAndPrune", "hashedGrid", "looseOctree", "bsp"];
@@ -24,14 +25,14 @@ export function broadPhases(core, layout, args, ask, Handle) {
       this.kind = kind;
     }
     insert(id, lower, upper) {
-      core.frame(() => call("insert", at(this), id, box(lower, upper)));
+      core.frame(() => call("insert", changed(this), whole(id, "id"), box(lower, upper)));
       this.#boxes += 1;
     }
     move(id, lower, upper) {
-      core.frame(() => call("move", at(this), id, box(lower, upper)));
+      core.frame(() => call("move", changed(this), whole(id, "id"), box(lower, upper)));
     }
     remove(id) {
-      core.frame(() => call("remove", at(this), id));
+      core.frame(() => call("remove", changed(this), whole(id, "id")));
       this.#boxes -= 1;
     }
     pairs() {
@@ -74,5 +75,6 @@ export function broadPhases(core, layout, args, ask, Handle) {
     return new Uint32Array(core.data.buffer, first, each * count).slice();
   };
   const at = (broad) => Handle.pointer(broad, "broadPhase", BroadPhase);
+  const changed = (broad) => Handle.changed(broad, "broadPhase", BroadPhase);
   return { BroadPhase };
 }

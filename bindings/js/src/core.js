@@ -75,6 +75,11 @@ export class Core {
     this.Numbers = scalar === "d" ? Float64Array : Float32Array;
     this.numberSize = this.Numbers.BYTES_PER_ELEMENT;
     this.callbacks = new Map();
+    /** The uses that the open frames make of objects; they end with their frames. */
+    this.uses = [];
+    this.framed = false;
+    /** The number of callbacks that run, one inside the other. */
+    this.depth = 0;
     this.lastCallback = 0;
     this.thrown = null;
     this.callbackImports = {};
@@ -132,16 +137,20 @@ export class Core {
     return place;
   }
 
-  /** Runs `body`, whose scratch room is given back after it. Frames may be nested, as a callback does. */
+  /** Runs `body`, after which its scratch room is given back and its uses of objects end. Frames may be nested, as a
+   * callback does. */
   frame(body) {
     this.memory();
-    const used = this.used;
-    const outer = this.large;
+    const { used, framed, large: outer } = this;
+    const first = this.uses.length;
     this.large = null;
+    this.framed = true;
     try {
       return body();
     } finally {
       this.used = used;
+      this.framed = framed;
+      while (this.uses.length > first) this.uses.pop().end();
       for (const pointer of this.large ?? []) this.exports.free(pointer);
       this.large = outer;
     }
@@ -171,8 +180,10 @@ export class Core {
     return pointer;
   }
 
-  /** Calls a function of the C interface by its name without beginning and scalar; throws its errors. */
+  /** Calls a function of the C interface by its name without beginning and scalar; throws its errors. WebAssembly would
+   * take null for 0 and words for numbers. */
   call(name, ...args) {
+    for (const value of args) if (typeof value !== "number") number(value, name);
     this.check(this.exports[`graze_${name}_${this.scalar}`](...args));
   }
 
@@ -195,24 +206,63 @@ export class Core {
     return this.lastCallback;
   }
 
-  /** A callback's result; its exception is thrown when the module returns. */
+  /** A callback's result; the first exception of a call's callbacks is thrown when the module returns from the call. */
   called(key, otherwise, body) {
+    const { thrown, framed } = this;
+    this.thrown = null;
+    this.framed = false;
+    this.depth += 1;
     try {
       return body(this.callbacks.get(key));
     } catch (error) {
-      this.thrown ??= { error };
+      this.thrown = { error };
       return otherwise;
+    } finally {
+      this.thrown = thrown ?? this.thrown;
+      this.framed = framed;
+      this.depth -= 1;
     }
   }
 }
 
+/**
+ * The calls that use an object at this moment. Callbacks run in the middle of a call: where it changes an object,
+ * nobody else may use that one until it returns, and where it reads one, nobody may change it.
+ */
+class Uses {
+  #reading = 0;
+  #changing = false;
+  read(path) {
+    if (this.#changing) throw new Error(`${path}: in use: another call changes it at this moment`);
+    this.#reading += 1;
+  }
+  change(path) {
+    this.checkIdle(path);
+    this.#changing = true;
+  }
+  checkIdle(path) {
+    if (this.#changing) throw new Error(`${path}: in use: another call changes it at this moment`);
+    if (this.#reading > 0) throw new Error(`${path}: in use: another call reads it at this moment`);
+  }
+  /** Ends one use: an object that is changed has no other. */
+  end() {
+    if (this.#changing) this.#changing = false;
+    else this.#reading -= 1;
+  }
+}
+
+/** The base of the `Handle`s of all entries. */
+export class AnyHandle {}
+
 /** The base of all objects that lie in the module's memory. */
 export function handleClass(core) {
-  return class Handle {
+  return class Handle extends AnyHandle {
     #pointer;
     #release;
+    #uses = new Uses();
     /** `release` gives the object behind `pointer` back. */
     constructor(pointer, release) {
+      super();
       this.#pointer = pointer;
       this.#release = release;
       core.finalizers.register(this, { release, pointer }, this);
@@ -222,6 +272,7 @@ export function handleClass(core) {
     }
     dispose() {
       if (this.#pointer === 0) return;
+      this.#uses.checkIdle("dispose");
       const pointer = this.#pointer;
       this.#pointer = 0;
       core.finalizers.unregister(this);
@@ -230,13 +281,51 @@ export function handleClass(core) {
     [Symbol.dispose ?? Symbol.for("Symbol.dispose")]() {
       this.dispose();
     }
-    /** The pointer of a live object of the class `kind`, named `path` in errors. */
-    static pointer(value, path, kind = this) {
+    static #live(value, path, kind, use) {
       if (!(value instanceof kind)) throw new InvalidValue(`${path}: expected ${article(kind.name)}, got ${shown(value)}`);
       if (value.#pointer === 0) throw new InvalidValue(`${path}: expected a live object, got a disposed one`);
+      if (core.framed) {
+        value.#uses[use](path);
+        core.uses.push(value.#uses);
+      }
       return value.#pointer;
     }
+    /** The pointer of a live object of the class `kind`, named `path` in errors, which the call of the frame reads. */
+    static pointer(value, path, kind) {
+      return Handle.#live(value, path, kind, "read");
+    }
+    /** The pointer of one that the call of the frame changes. */
+    static changed(value, path, kind) {
+      return Handle.#live(value, path, kind, "change");
+    }
   };
+}
+
+/** `value`, where it is a number; nothing else becomes one. */
+export function number(value, path) {
+  if (typeof value !== "number") throw new InvalidValue(`${path}: expected a number, got ${shown(value)}`);
+  return value;
+}
+
+/** `value`, where it is a finite number. */
+export function finite(value, path) {
+  if (!Number.isFinite(value)) throw new InvalidValue(`${path}: expected a finite number, got ${shown(value)}`);
+  return value;
+}
+
+/** `value`, where it is a whole number from `least` to `most`: those of the module would wrap around or be cut off. */
+export function whole(value, path, most = 2 ** 32 - 1, least = 0) {
+  if (!(Number.isInteger(value) && value >= least && value <= most))
+    throw new InvalidValue(`${path}: expected an integer from ${least} to ${most}, got ${shown(value)}`);
+  return value;
+}
+
+/** `value` as a bigint, where it is a whole number of 64 bits. */
+export function bits(value, path) {
+  const given = typeof value === "bigint" || Number.isSafeInteger(value) ? BigInt(value) : -1n;
+  if (given < 0n || given >= 2n ** 64n)
+    throw new InvalidValue(`${path}: expected an integer or a bigint from 0 to 2^64 - 1, got ${shown(value)}`);
+  return given;
 }
 
 const article = (name) => `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;

@@ -11,20 +11,26 @@ import { worldClasses } from "./world.js";
 import { broadPhases } from "./broad.js";
 
 /** Functions of JavaScript that the module calls. */
-function callbackImports(core) {
+function callbackImports(core, layout) {
   const id = (index, generation) => ({ index, generation });
-  const supported = (dimensions) => (key, direction, point) => {
-    const from = Array.from(core.numbers(direction, dimensions));
-    const to = core.called(key, from, (support) => support(from));
-    core.numbers(point, dimensions).set(to);
+  /** The direction itself is the point where the function has thrown: the answer is thrown away. */
+  const supported = (vector) => (key, direction, point) => {
+    core.memory();
+    const from = vector.read(direction);
+    core.copy(direction, point, vector.size);
+    core.called(key, undefined, (support) => {
+      const found = support(from);
+      core.memory();
+      vector.write(point, found, "support");
+    });
   };
   return {
     allow: (key, a, generationA, b, generationB) =>
       core.called(key, 1, (allow) => (allow(id(a >>> 0, generationA >>> 0), id(b >>> 0, generationB >>> 0)) ? 1 : 0)),
     accept: (key, index, generation) =>
       core.called(key, 1, (accept) => (accept(id(index >>> 0, generation >>> 0)) ? 1 : 0)),
-    support: supported(3),
-    planeSupport: supported(2),
+    support: supported(layout.vec3),
+    planeSupport: supported(layout.vec2),
     release: (key) => core.callbacks.delete(key),
     ...drawImports(core),
     ...captureImports(core),
@@ -33,8 +39,8 @@ function callbackImports(core) {
 
 export function queriesEntry(scalar, address) {
   const core = new Core(scalar, address);
-  core.callbackImports = callbackImports(core);
   const layout = layouts(core);
+  core.callbackImports = callbackImports(core, layout);
   const args = argumentsOf(core, layout);
   const Handle = handleClass(core);
   const Rows = rowsClass(core);

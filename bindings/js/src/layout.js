@@ -1,6 +1,6 @@
 // The layout of the structs of the C interface: WebAssembly's 32-bit C ABI, each member aligned to its size.
 
-import { InvalidValue, shown } from "./core.js";
+import { bits, InvalidValue, number, shown, whole } from "./core.js";
 
 const named = (values, value, path) => {
   const place = values.indexOf(value);
@@ -8,22 +8,23 @@ const named = (values, value, path) => {
   return place;
 };
 
+/** The length of an array in an error, and anything else as it is. */
+const amount = (value) => (typeof value === "object" && value !== null ? value.length : undefined) ?? shown(value);
+
 export function layouts(core) {
-  const plain = (size, get, set) => ({
+  /** A type of numbers that `checked` lets pass. */
+  const plain = (size, get, set, checked) => ({
     size,
     align: size,
     read: (p) => core.data[get](p, true),
-    write: (p, v) => core.data[set](p, v, true),
+    write: (p, v, path) => core.data[set](p, checked(v, path), true),
   });
-  const u8 = plain(1, "getUint8", "setUint8");
-  const i32 = plain(4, "getInt32", "setInt32");
-  const u32 = plain(4, "getUint32", "setUint32");
-  const u64 = {
-    ...plain(8, "getBigUint64", "setBigUint64"),
-    write: (p, v) => core.data.setBigUint64(p, BigInt.asUintN(64, BigInt(v)), true),
-  };
-  const real = plain(8, "getFloat64", "setFloat64");
-  const num = core.scalar === "d" ? real : plain(4, "getFloat32", "setFloat32");
+  const u8 = plain(1, "getUint8", "setUint8", (v, path) => whole(v, path, 255));
+  const i32 = plain(4, "getInt32", "setInt32", (v, path) => whole(v, path, 2 ** 31 - 1, -(2 ** 31)));
+  const u32 = plain(4, "getUint32", "setUint32", (v, path) => whole(v, path));
+  const u64 = plain(8, "getBigUint64", "setBigUint64", bits);
+  const real = plain(8, "getFloat64", "setFloat64", number);
+  const num = core.scalar === "d" ? real : plain(4, "getFloat32", "setFloat32", number);
   const bool = { ...u8, read: (p) => u8.read(p) !== 0, write: (p, v) => u8.write(p, v ? 1 : 0) };
   const enumeration = (type, values) => ({
     ...type,
@@ -38,8 +39,8 @@ export function layouts(core) {
     read: (p) => Array.from({ length: count }, (_, i) => type.read(p + i * type.size)),
     write(p, v, path) {
       if (v === null || typeof v !== "object" || v.length !== count)
-        throw new InvalidValue(`${path}: expected ${count} numbers, got ${v?.length ?? shown(v)}`);
-      for (let i = 0; i < count; ++i) type.write(p + i * type.size, v[i], path);
+        throw new InvalidValue(`${path}: expected ${count} numbers, got ${amount(v)}`);
+      for (let i = 0; i < count; ++i) type.write(p + i * type.size, v[i], `${path}[${i}]`);
     },
   });
 

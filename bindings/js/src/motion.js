@@ -1,5 +1,7 @@
 // Blows that are passed on and free motion, in space and in the plane.
 
+import { whole } from "./core.js";
+
 /** A body as a blow meets it, in the module's memory; `inverseMass` has the parts that differ between dimensions. */
 const bodyWriter = (types, { inverseMass }) => (p, body, path) => {
   const { linear, angular, translation } = body;
@@ -39,7 +41,7 @@ export function passing(core, layout, dimension) {
         bodies: bodiesAt, bodyCount: bodies.length, blows: list(types.blow, all, "blows", writeAs(types.blow)),
         blowCount: all.length, points: list(types.vector, points, "points", writeAs(types.vector)),
         pointCount: points.length, impulses: impulsesAt }, "touching");
-      const passed = answered(layout.passedOn, (p) => ask.call("pass_on", touching, restingSpeed, most, p));
+      const passed = answered(layout.passedOn, (p) => ask.call("pass_on", touching, restingSpeed, whole(most, "most"), p));
       const impulses = core.numbers(impulsesAt, points.length);
       return {
         ...passed,

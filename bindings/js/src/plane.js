@@ -1,36 +1,33 @@
 // The functions and classes of the package in two dimensions.
 
 import { batches } from "./batches.js";
-import { InvalidValue, shown } from "./core.js";
+import { finite, InvalidValue, number, shown } from "./core.js";
 import { drawings, tessellations, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
 import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
-import { sides, userConvex } from "./shapes.js";
+import { movingMembers, newShape, numbers, placed, sides, userConvex } from "./shapes.js";
 import { simulationClasses } from "./simulation.js";
 import { worldClasses } from "./world.js";
 
 const kinds = [
   "circle", "capsule", "box", "segment", "convex", "ellipse", "userConvex", "halfPlane", "polygon", "chain", "compound"];
+const origin = [0, 0];
 
 export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const { written, rows, answered } = args;
   const types = layout.plane;
   const release = (pointer) => core.exports[`graze_plane_shape_release_${core.scalar}`](pointer);
   const made = (name, parameters) =>
-    core.frame(() => {
-      const result = core.room(4);
-      core.call(`plane_shape_${name}`, ...parameters(), result);
-      return core.data.getUint32(result, true);
-    });
+    newShape(core, release, (result) => core.call(`plane_shape_${name}`, ...parameters(), result));
   const vec2 = (v, path) => written(layout.vec2, v, path);
   /** A pose of the C interface, whose rotation is the turned X axis, by the library's own sine and cosine. */
-  const pose = (value, path) => {
-    const [x, y] = value?.translation ?? [0, 0];
+  const pose = (value, path, besides = []) => {
+    const { translation, rotation } = placed(value, path, besides, origin, 0);
     const p = core.room(types.pose.size);
-    core.exports[`graze_plane_pose_${core.scalar}`](p, x, y, value?.rotation ?? 0);
-    if (value?.translation !== undefined) layout.vec2.write(p, value.translation, `${path}.translation`);
+    core.exports[`graze_plane_pose_${core.scalar}`](p, 0, 0, finite(rotation, `${path}.rotation`));
+    layout.vec2.write(p, translation, `${path}.translation`);
     return p;
   };
 
@@ -58,7 +55,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
         answered(types.massProperties, (p) => core.call("plane_shape_mass_properties", of(this), p)));
     }
     rounded(rounding) {
-      return new Shape(made("rounded", () => [of(this), rounding]));
+      return new Shape(made("rounded", () => [of(this), number(rounding, "rounding")]));
     }
     swept(at, motion) {
       return new Shape(made("swept", () => [of(this), pose(at, "pose"), vec2(motion, "motion")]));
@@ -73,12 +70,12 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
 
   class Circle extends Shape {
     constructor(radius) {
-      super(made("circle", () => [radius]));
+      super(made("circle", () => numbers("circle", { radius })));
     }
   }
   class Capsule extends Shape {
     constructor(height, radiusBottom, radiusTop = radiusBottom) {
-      super(made("capsule", () => [height, radiusBottom, radiusTop]));
+      super(made("capsule", () => numbers("capsule", { height, radiusBottom, radiusTop })));
     }
   }
   class Box extends Shape {
@@ -103,7 +100,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   }
   class UserConvex extends Shape {
     constructor(support) {
-      super(userConvex(core, "plane_user_convex", support));
+      super(userConvex(core, release, "plane_user_convex", support));
     }
   }
   class HalfPlane extends Shape {
@@ -134,7 +131,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
           const first = core.room(Math.max(1, children.length) * size);
           children.forEach((child, i) => {
             const path = `compound.children[${i}]`;
-            const at = pose(child, path);
+            const at = pose(child, path, ["shape"]);
             types.child.write(first + i * size, { shape: of(child.shape, `${path}.shape`) });
             core.copy(at, first + i * size + offset.pose, types.pose.size);
           });
@@ -184,7 +181,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       poseAt(body, t) {
         const { linear, angular } = body;
         const velocity = written(types.velocity, { linear, angular }, "velocity");
-        return angle(answered(types.pose, (p) => ask.call("pose_at", pose(body, "pose"), velocity, t, p)));
+        return angle(answered(types.pose, (p) => ask.call("pose_at", pose(body, "pose", movingMembers), velocity, t, p)));
       },
     }),
     protocolShape: protocolShapes(core, "plane_shape_text", of),

@@ -1,7 +1,8 @@
 // Queries of two shapes, in space and in the plane.
 
-import { InvalidValue, shown } from "./core.js";
+import { whole } from "./core.js";
 import { named } from "./layout.js";
+import { movingMembers } from "./shapes.js";
 import { traceReader } from "./trace.js";
 
 const backFaces = ["hit", "ignored"];
@@ -21,14 +22,15 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     return core.data.getUint8(there) === 0 ? null : type.read(p);
   };
 
-  /** Room for answers of no fixed number, one for all queries of a dimension. */
-  let buffer = 0;
+  /** Room for answers of no fixed number: one for all queries of a dimension, and one for those of callbacks at each
+   * depth, since a query that waits for its callback fills its own. */
+  const buffers = [];
   const room = () => {
-    if (buffer !== 0) return buffer;
+    if (buffers[core.depth] !== undefined) return buffers[core.depth];
     const p = core.room(4);
     core.call("buffer_create", p);
-    buffer = core.data.getUint32(p, true);
-    return buffer;
+    buffers[core.depth] = core.data.getUint32(p, true);
+    return buffers[core.depth];
   };
   /** The place of an array that belongs to the buffer, and its length. */
   const place = (body) => {
@@ -58,7 +60,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   const ray = ({ origin, direction }) => written(types.ray, { origin, direction }, "ray");
   const length = (value) => value.length ?? Infinity;
   const writeMoving = (p, body, path) => {
-    const at = pose(body, path);
+    const at = pose(body, path, movingMembers);
     const { linear, angular } = body;
     types.moving.write(p, { shape: of(body.shape, `${path}.shape`), linear, angular }, path);
     core.copy(at, p + types.moving.offset.pose, types.moving.members.pose.size);
@@ -104,7 +106,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     contacts(a, poseA, b, poseB, margin = 0, most = undefined) {
       if (most === undefined) return plainly.contacts(a, poseA, b, poseB, margin);
       const p = core.room(layout.contacts.size);
-      call("contacts_reduced", ...two(a, poseA, b, poseB), margin, most, room(), p);
+      call("contacts_reduced", ...two(a, poseA, b, poseB), margin, whole(most, "most"), room(), p);
       return contactsAt(p);
     },
     within: (a, poseA, b, poseB, limit) => yes("within", ...two(a, poseA, b, poseB), limit),
@@ -114,9 +116,8 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
       listed(types.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
     contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
     featureCorners(shape, feature, piece = 0) {
-      if (!Number.isInteger(feature) || feature < 0 || feature > 0xffff)
-        throw new InvalidValue(`feature: expected an integer from 0 to 65535, got ${shown(feature)}`);
-      return listed(types.vector, (...to) => call("feature_corners", of(shape), piece, feature, ...to));
+      const names = [whole(piece, "piece"), whole(feature, "feature", 0xffff)];
+      return listed(types.vector, (...to) => call("feature_corners", of(shape), ...names, ...to));
     },
     raycastAny: (...question) => yes("raycast_any", ...rayAt(...question)),
     raycastAll: (...question) => listed(types.rayHit, (...to) => call("raycast_all", ...rayAt(...question), ...to)),
@@ -168,9 +169,10 @@ export function spaceQuestions(core, layout, args, shapes) {
       const { pointer, count } = rows(normals, 3, "normals");
       return answered(layout.vec3, (p) => call("along_planes", vec3(motion, "motion"), pointer, 0, count, p));
     },
-    poseAt({ linear, angular, ...body }, t) {
+    poseAt(body, t) {
+      const { linear, angular } = body;
       const velocity = written(layout.velocity, { linear, angular }, "velocity");
-      return answered(layout.pose, (p) => call("pose_at", pose(body, "pose"), velocity, t, p));
+      return answered(layout.pose, (p) => call("pose_at", pose(body, "pose", movingMembers), velocity, t, p));
     },
   });
   return { ask, plain };

@@ -1,6 +1,6 @@
 // Shapes, poses and numbers in the module's memory: the arguments of every query.
 
-import { InvalidValue, shown } from "./core.js";
+import { AnyHandle, finite, InvalidValue, number, shown, whole } from "./core.js";
 import { named } from "./layout.js";
 
 const kinds = [
@@ -10,6 +10,22 @@ const noTurn = [0, 0, 0, 1];
 const origin = [0, 0, 0];
 export const sides = ["both", "front"];
 
+/** The members that a body that moves has besides those of its pose, and a body of a world. */
+export const movingMembers = ["shape", "linear", "angular"];
+export const bodyMembers = [...movingMembers, "filter", "fixed", "trigger", "fast"];
+
+/** The members of a pose, absent ones by `origin` and `rest`. An object of another kind, or with a member that is
+ * neither a pose's nor one of `besides`, is refused: a pose that is not understood would stand at the origin. */
+export function placed(value = {}, path, besides, origin, rest) {
+  if (value === null || typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value))
+    throw new InvalidValue(`${path}: expected an object with a translation and a rotation, got ${shown(value)}`);
+  for (const name in value)
+    if (name !== "translation" && name !== "rotation" && !besides.includes(name))
+      throw new InvalidValue(`${path}: expected ${["translation", "rotation", ...besides].join(", ")}, got ${name}`);
+  const { translation = origin, rotation = rest } = value;
+  return { translation, rotation };
+}
+
 /** Arguments of the C interface in scratch room, and its answers. Used inside a frame. */
 export function argumentsOf(core, layout) {
   const written = (type, value, path) => {
@@ -17,10 +33,13 @@ export function argumentsOf(core, layout) {
     type.write(p, value, path);
     return p;
   };
-  const pose = (value, path) =>
-    written(layout.pose, { translation: value?.translation ?? origin, rotation: value?.rotation ?? noTurn }, path);
+  /** A pose, in an object that may have the members `besides`. */
+  const pose = (value, path, besides = []) =>
+    written(layout.pose, placed(value, path, besides, origin, noTurn), path);
   /** Writes `values`, numbers or arrays of `width` numbers, one behind the other; returns their place and number. */
   const rows = (values, width, path, View = core.Numbers) => {
+    if (values instanceof AnyHandle)
+      throw new InvalidValue(`${path}: expected an array, or Numbers of this entry, got ${shown(values)}`);
     if (values === null || typeof values !== "object")
       throw new InvalidValue(`${path}: expected an array, got ${shown(values)}`);
     const nested = values.length > 0 && typeof values[0] === "object" && values[0] !== null;
@@ -29,12 +48,18 @@ export function argumentsOf(core, layout) {
       throw new InvalidValue(`${path}: expected a multiple of ${width} numbers, got ${length}`);
     const p = core.room(Math.max(1, length) * View.BYTES_PER_ELEMENT);
     const to = new View(core.memory().buffer, p, length);
-    if (!nested) to.set(values);
+    const checked = View === Uint32Array ? whole : number;
+    const set = (from, at, name) => {
+      if (!(from instanceof View || (checked === number && ArrayBuffer.isView(from))))
+        for (let i = 0; i < from.length; ++i) checked(from[i], `${name}[${i}]`);
+      to.set(from, at);
+    };
+    if (!nested) set(values, 0, path);
     else
       values.forEach((row, i) => {
         if (row?.length !== width)
           throw new InvalidValue(`${path}[${i}]: expected ${width} numbers, got ${row?.length ?? shown(row)}`);
-        to.set(row, i * width);
+        set(row, i * width, `${path}[${i}]`);
       });
     return { pointer: p, count: length / width };
   };
@@ -47,21 +72,38 @@ export function argumentsOf(core, layout) {
   return { written, pose, rows, answered, vec3: (v, path) => written(layout.vec3, v, path) };
 }
 
-/** A convex shape whose support function is the caller's, made by the module's function of that name. */
-export function userConvex(core, name, support) {
-  if (typeof support !== "function")
-    throw new InvalidValue(`userConvex.support: expected a function, got ${shown(support)}`);
-  const key = core.keep(support);
+/** The values of an object, numbers that are named below `path`. */
+export const numbers = (path, values) =>
+  Object.entries(values).map(([name, value]) => number(value, `${path}.${name}`));
+
+/** The pointer that `make` writes to its argument. Where it throws, as it does for an exception of a callback, a shape
+ * that was made by then is given back. */
+export function newShape(core, release, make) {
   return core.frame(() => {
     const result = core.room(4);
     try {
-      core.check(core.exports[`graze_js_${name}_${core.scalar}`](key, result));
+      make(result);
     } catch (error) {
-      core.callbacks.delete(key); // the shape that would have released it is not there
+      const pointer = core.memory().getUint32(result, true);
+      if (pointer !== 0) release(pointer);
       throw error;
     }
     return core.data.getUint32(result, true);
   });
+}
+
+/** A convex shape whose support function is the caller's, made by the module's function of that name. */
+export function userConvex(core, release, name, support) {
+  if (typeof support !== "function")
+    throw new InvalidValue(`userConvex.support: expected a function, got ${shown(support)}`);
+  const key = core.keep(support);
+  try {
+    const make = core.exports[`graze_js_${name}_${core.scalar}`];
+    return newShape(core, release, (result) => core.check(make(key, result)));
+  } catch (error) {
+    core.callbacks.delete(key); // the shape that would have released it is not there
+    throw error;
+  }
 }
 
 export function shapeClasses(core, layout, args, Handle) {
@@ -69,11 +111,7 @@ export function shapeClasses(core, layout, args, Handle) {
   const release = (pointer) => core.exports[`graze_shape_release_${core.scalar}`](pointer);
   /** A new shape by the constructor of that name; the others are its arguments. */
   const made = (name, parameters) =>
-    core.frame(() => {
-      const result = core.room(4);
-      core.call(`shape_${name}`, ...parameters(), result);
-      return core.data.getUint32(result, true);
-    });
+    newShape(core, release, (result) => core.call(`shape_${name}`, ...parameters(), result));
 
   class Shape extends Handle {
     constructor(pointer) {
@@ -98,7 +136,7 @@ export function shapeClasses(core, layout, args, Handle) {
         answered(layout.massProperties, (p) => core.call("shape_mass_properties", of(this), p)));
     }
     rounded(rounding) {
-      return new Shape(made("rounded", () => [of(this), rounding]));
+      return new Shape(made("rounded", () => [of(this), number(rounding, "rounding")]));
     }
     swept(at, motion) {
       return new Shape(made("swept", () => [of(this), pose(at, "pose"), vec3(motion, "motion")]));
@@ -108,12 +146,12 @@ export function shapeClasses(core, layout, args, Handle) {
 
   class Sphere extends Shape {
     constructor(radius, center = origin) {
-      super(made("sphere", () => [radius, vec3(center, "sphere.center")]));
+      super(made("sphere", () => [number(radius, "sphere.radius"), vec3(center, "sphere.center")]));
     }
   }
   class Capsule extends Shape {
     constructor(height, radiusBottom, radiusTop = radiusBottom) {
-      super(made("capsule", () => [height, radiusBottom, radiusTop]));
+      super(made("capsule", () => numbers("capsule", { height, radiusBottom, radiusTop })));
     }
   }
   class Box extends Shape {
@@ -123,12 +161,12 @@ export function shapeClasses(core, layout, args, Handle) {
   }
   class Rectangle extends Shape {
     constructor(sizeX, sizeZ) {
-      super(made("rectangle", () => [sizeX, sizeZ]));
+      super(made("rectangle", () => numbers("rectangle", { sizeX, sizeZ })));
     }
   }
   class Cylinder extends Shape {
     constructor(height, radiusBottom, radiusTop = radiusBottom) {
-      super(made("cylinder", () => [height, radiusBottom, radiusTop]));
+      super(made("cylinder", () => numbers("cylinder", { height, radiusBottom, radiusTop })));
     }
   }
   class Ellipsoid extends Shape {
@@ -163,7 +201,7 @@ export function shapeClasses(core, layout, args, Handle) {
   }
   class UserConvex extends Shape {
     constructor(support) {
-      super(userConvex(core, "user_convex", support));
+      super(userConvex(core, release, "user_convex", support));
     }
   }
   class Mesh extends Shape {
@@ -185,15 +223,18 @@ export function shapeClasses(core, layout, args, Handle) {
     constructor(heights, columns, rowCount, options = {}) {
       super(
         made("height_field", () => {
+          whole(columns, "heightField.columns");
+          whole(rowCount, "heightField.rowCount");
           if (heights?.length !== columns * rowCount)
             throw new InvalidValue(
               `heightField.heights: expected ${columns} * ${rowCount} numbers, got ${heights?.length ?? shown(heights)}`);
           // A value that is no number is a hole, and null would become 0.
           const values = Array.isArray(heights) ? heights.map((h) => h ?? NaN) : heights;
-          const spacing = options.spacing ?? [1, 1];
+          const [sizeX, sizeZ] = options.spacing ?? [1, 1];
+          const spacing = [number(sizeX, "heightField.spacing[0]"), number(sizeZ, "heightField.spacing[1]")];
           const seen = named(sides, options.sides ?? "both", "heightField.sides");
           const { pointer } = rows(values, 1, "heightField.heights");
-          return [pointer, 0, columns, rowCount, 0, spacing[0], spacing[1], seen];
+          return [pointer, 0, columns, rowCount, 0, ...spacing, seen];
         }),
       );
     }
@@ -206,9 +247,9 @@ export function shapeClasses(core, layout, args, Handle) {
           const first = core.room(Math.max(1, children.length) * size);
           children.forEach((child, i) => {
             const path = `compound.children[${i}]`;
-            const { translation = origin, rotation = noTurn } = child;
-            const shape = of(child.shape, `${path}.shape`);
-            layout.child.write(first + i * size, { shape, pose: { translation, rotation } }, path);
+            const at = pose(child, path, ["shape"]);
+            layout.child.write(first + i * size, { shape: of(child.shape, `${path}.shape`) }, path);
+            core.copy(at, first + i * size + layout.child.offset.pose, layout.pose.size);
           });
           return [first, 0, children.length];
         }),
@@ -219,8 +260,7 @@ export function shapeClasses(core, layout, args, Handle) {
   /** Numbers in the module's memory. */
   class Numbers extends Handle {
     constructor(length) {
-      if (!Number.isInteger(length) || length < 0)
-        throw new InvalidValue(`numbers.length: expected an integer >= 0, got ${shown(length)}`);
+      whole(length, "numbers.length");
       core.memory();
       const pointer = core.allocate(Math.max(1, length) * core.numberSize);
       super(pointer, (p) => core.exports.free(p));
@@ -240,6 +280,7 @@ export function shapeClasses(core, layout, args, Handle) {
   };
 
   const turned = (translation, axis, angle) => {
+    finite(angle, "angle");
     const length = Math.hypot(...axis);
     if (!(length > 0 && length < Infinity))
       throw new InvalidValue(`axis: expected a finite vector that is not zero, got [${Array.from(axis).join(", ")}]`);

@@ -90,58 +90,58 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     constructor(settings = {}) {
       const begin = () => settled(types.simulationSettings, "simulation_settings", settings);
       super(...created(core, `${prefix}simulation`, begin, settings.capture));
-      const world = () => core.frame(() => answered(layout.u32, (p) => call("world", at(this), p)));
+      const world = () => answered(layout.u32, (p) => call("world", at(this), p));
       this.world = questionable({}, world);
     }
     add(body, dynamics, material) {
       return core.frame(() =>
-        answered(layout.id, (p) => call("add", at(this), bodyAt(body), dynamicsAt(dynamics), materialAt(material), p)));
+        answered(layout.id, (p) => call("add", changed(this), bodyAt(body), dynamicsAt(dynamics), materialAt(material), p)));
     }
     remove(id) {
-      core.frame(() => call("remove", at(this), idAt(id, "body")));
+      core.frame(() => call("remove", changed(this), idAt(id, "body")));
     }
     addJoint(joint) {
-      return core.frame(() => answered(layout.id, (p) => call("add_joint", at(this), jointAt(joint), p)));
+      return core.frame(() => answered(layout.id, (p) => call("add_joint", changed(this), jointAt(joint), p)));
     }
     removeJoint(id) {
-      core.frame(() => call("remove_joint", at(this), idAt(id, "joint")));
+      core.frame(() => call("remove_joint", changed(this), idAt(id, "joint")));
     }
     step(dt) {
-      core.frame(() => call("step", at(this), dt));
+      core.frame(() => call("step", changed(this), dt));
     }
     applyImpulse(id, impulse, point) {
       core.frame(() =>
-        call("apply_impulse", at(this), idAt(id, "body"), vector(impulse, "impulse"), vector(point, "point")));
+        call("apply_impulse", changed(this), idAt(id, "body"), vector(impulse, "impulse"), vector(point, "point")));
     }
     applyAngularImpulse(id, impulse) {
-      core.frame(() => call("apply_angular_impulse", at(this), idAt(id, "body"), turning(impulse, "impulse")));
+      core.frame(() => call("apply_angular_impulse", changed(this), idAt(id, "body"), turning(impulse, "impulse")));
     }
     applyForce(id, force) {
-      core.frame(() => call("apply_force", at(this), idAt(id, "body"), vector(force, "force")));
+      core.frame(() => call("apply_force", changed(this), idAt(id, "body"), vector(force, "force")));
     }
     applyTorque(id, torque) {
-      core.frame(() => call("apply_torque", at(this), idAt(id, "body"), turning(torque, "torque")));
+      core.frame(() => call("apply_torque", changed(this), idAt(id, "body"), turning(torque, "torque")));
     }
     setVelocity(id, velocity) {
-      core.frame(() => call("set_velocity", at(this), idAt(id, "body"), written(types.velocity, velocity, "velocity")));
+      core.frame(() => call("set_velocity", changed(this), idAt(id, "body"), written(types.velocity, velocity, "velocity")));
     }
     setPose(id, to) {
-      core.frame(() => call("set_pose", at(this), idAt(id, "body"), pose(to, "pose")));
+      core.frame(() => call("set_pose", changed(this), idAt(id, "body"), pose(to, "pose")));
     }
     moveTo(id, to, dt) {
-      core.frame(() => call("move_to", at(this), idAt(id, "body"), pose(to, "pose"), dt));
+      core.frame(() => call("move_to", changed(this), idAt(id, "body"), pose(to, "pose"), dt));
     }
     setMaterial(id, material) {
-      core.frame(() => call("set_material", at(this), idAt(id, "body"), materialAt(material)));
+      core.frame(() => call("set_material", changed(this), idAt(id, "body"), materialAt(material)));
     }
     setGravity(gravity) {
-      core.frame(() => call("set_gravity", at(this), vector(gravity, "gravity")));
+      core.frame(() => call("set_gravity", changed(this), vector(gravity, "gravity")));
     }
     setName(id, name) {
-      core.frame(() => call("set_name", at(this), idAt(id, "body"), core.written(name, "name")));
+      core.frame(() => call("set_name", changed(this), idAt(id, "body"), core.written(name, "name")));
     }
     wake(id) {
-      core.frame(() => call("wake", at(this), idAt(id, "body")));
+      core.frame(() => call("wake", changed(this), idAt(id, "body")));
     }
     pose(id) {
       return core.frame(() => shownPose(answered(types.pose, (p) => call("pose", at(this), idAt(id, "body"), p))));
@@ -199,13 +199,14 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
       return core.frame(() => answered(layout.u64, (p) => call("state_hash", at(this), p)));
     }
     save() {
-      return new State(core.frame(() => answered(layout.u32, (p) => call("save", at(this), p))));
+      return new State(core.frame(() => answered(layout.u32, (p) => call("save", changed(this), p))));
     }
     restore(state) {
-      core.frame(() => call("restore", at(this), Handle.pointer(state, "state", State)));
+      core.frame(() => call("restore", changed(this), Handle.pointer(state, "state", State)));
     }
   }
   const at = (simulation) => Handle.pointer(simulation, "simulation", Simulation);
+  const changed = (simulation) => Handle.changed(simulation, "simulation", Simulation);
   return { Simulation, State };
 }
 

@@ -1,15 +1,11 @@
 // Bodies, the pairs that touch, and queries of them.
 
 import { created } from "./capture.js";
-import { InvalidValue, shown } from "./core.js";
+import { InvalidValue, shown, whole } from "./core.js";
+import { bodyMembers } from "./shapes.js";
 
 /** The casts of a slide, at most, as `SlideOptions` of C++ has them. */
 const usualCasts = 6;
-
-const integers = (value, path) => {
-  if (typeof value === "bigint" || (Number.isSafeInteger(value) && value >= 0)) return BigInt(value);
-  throw new InvalidValue(`${path}: expected an integer >= 0 or a bigint, got ${shown(value)}`);
-};
 
 /** The worlds of a dimension, whose poses are written by `pose` and shown by `shown` once they are read. */
 export function worldClasses(core, layout, dimension, Rows, Handle) {
@@ -20,22 +16,19 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   const poseNumbers = types.pose.size / core.numberSize;
 
   const idAt = (value, path) => {
-    if (!Number.isInteger(value?.index) || !Number.isInteger(value?.generation))
+    if (value?.index === undefined || value.generation === undefined)
       throw new InvalidValue(`${path}: expected a handle of a body or joint, got ${shown(value)}`);
     return written(layout.id, value, path);
   };
   const writeFilter = (place, filter, path) => {
     layout.filter.write(place, {
-      category: integers(filter.category ?? 1n, `${path}.category`),
-      mask: integers(filter.mask ?? 0xffffffffffffffffn, `${path}.mask`),
-      group: filter.group ?? 0,
-    });
+      category: filter.category ?? 1n, mask: filter.mask ?? 0xffffffffffffffffn, group: filter.group ?? 0 }, path);
   };
   const bodyAt = (body) => {
     const p = core.room(types.body.size);
     const { linear, angular, fixed = false, trigger = false, fast = false } = body;
     types.body.write(p, { shape: of(body.shape, "body.shape"), linear, angular, fixed, trigger, fast }, "body");
-    core.copy(pose(body, "body"), p + types.body.offset.pose, types.pose.size);
+    core.copy(pose(body, "body", bodyMembers), p + types.body.offset.pose, types.pose.size);
     writeFilter(p + types.body.offset.filter, body.filter ?? {}, "body.filter");
     return p;
   };
@@ -78,7 +71,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     },
     contains: (id) => yes("contains", pointer(), idAt(id, "body")),
     bodyAt: (index) =>
-      ask.found(layout.id, (there, p) => call("body_at", pointer(), index, there, p)),
+      ask.found(layout.id, (there, p) => call("body_at", pointer(), whole(index, "index"), there, p)),
     pose(id) {
       const body = answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p));
       core.exports[release](body.shape); // one more share, which the call has added
@@ -122,7 +115,8 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       filtered(filter, (f) => yes("overlaps_any", pointer(), of(shape), pose(at, "pose"), f)),
     nearest: (shape, at, most, options) =>
       filtered(options, (f) =>
-        listed(types.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), most, options?.limit ?? Infinity, f)),
+        listed(types.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), whole(most, "most"),
+          options?.limit ?? Infinity, f)),
     raycast: (ray, options) =>
       filtered(options, (f) =>
         ask.found(types.bodyRayHit, (there, p) =>
@@ -149,8 +143,8 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         const way = written(types.vector, motion, "motion");
         const touched = ask.listed(types.bodyCastHit, (buffer, first, count) =>
           call(
-            "slide", pointer(), of(shape), pose(at, "pose"), way, options?.casts ?? usualCasts, f, buffer, end, left,
-            first, count));
+            "slide", pointer(), of(shape), pose(at, "pose"), way, whole(options?.casts ?? usualCasts, "casts"), f,
+            buffer, end, left, first, count));
         return { end: shownPose(types.pose.read(end)), left: types.vector.read(left), touched };
       }),
     memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
@@ -179,7 +173,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         const p = core.room(layout.worldSettings.size);
         const { margin, pointsPerPair } = settings;
         layout.worldSettings.write(p, {
-          hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 });
+          hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 }, "settings");
         return p;
       };
       const [pointer, release] = created(core, `${prefix}world`, begin, settings.capture);
@@ -190,15 +184,15 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       questionable(this, () => Handle.pointer(this, "world", World));
     }
     add(body) {
-      return core.frame(() => answered(layout.id, (p) => call("add", at(this), bodyAt(body), p)));
+      return core.frame(() => answered(layout.id, (p) => call("add", changed(this), bodyAt(body), p)));
     }
     remove(id) {
-      core.frame(() => call("remove", at(this), idAt(id, "body")));
+      core.frame(() => call("remove", changed(this), idAt(id, "body")));
     }
     move(id, to, velocity) {
       core.frame(() => {
         const v = velocity === undefined ? 0 : written(types.velocity, velocity, "velocity");
-        call("move", at(this), idAt(id, "body"), pose(to, "pose"), v);
+        call("move", changed(this), idAt(id, "body"), pose(to, "pose"), v);
       });
     }
     moveBatch(ids, poses) {
@@ -208,36 +202,36 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         const size = layout.id.size;
         const first = core.room(Math.max(1, count) * size);
         ids.forEach((id, i) => layout.id.write(first + i * size, id, `ids[${i}]`));
-        call("move_batch", at(this), first, 0, pointer, 0, count);
+        call("move_batch", changed(this), first, 0, pointer, 0, count);
       });
     }
     setShape(id, shape) {
-      core.frame(() => call("set_shape", at(this), idAt(id, "body"), of(shape)));
+      core.frame(() => call("set_shape", changed(this), idAt(id, "body"), of(shape)));
     }
     setFilter(id, filter) {
       core.frame(() => {
         const p = core.room(layout.filter.size);
         writeFilter(p, filter, "filter");
-        call("set_filter", at(this), idAt(id, "body"), p);
+        call("set_filter", changed(this), idAt(id, "body"), p);
       });
     }
     setFast(id, fast) {
-      core.frame(() => call("set_fast", at(this), idAt(id, "body"), fast ? 1 : 0));
+      core.frame(() => call("set_fast", changed(this), idAt(id, "body"), fast ? 1 : 0));
     }
     setName(id, name) {
-      core.frame(() => call("set_name", at(this), idAt(id, "body"), core.written(name, "name")));
+      core.frame(() => call("set_name", changed(this), idAt(id, "body"), core.written(name, "name")));
     }
     update(duration = 0) {
-      core.frame(() => call("update", at(this), duration));
+      core.frame(() => call("update", changed(this), duration));
     }
     findImpacts(duration) {
-      core.frame(() => call("find_impacts", at(this), duration));
+      core.frame(() => call("find_impacts", changed(this), duration));
     }
     reduce(most) {
-      core.frame(() => call("reduce", at(this), most));
+      core.frame(() => call("reduce", changed(this), whole(most, "most")));
     }
   }
-  const at = (world) => Handle.pointer(world, "world", World);
+  const changed = (world) => Handle.changed(world, "world", World);
 
   return { World, idAt, bodyAt, questionable, pointerOf };
 }

@@ -1,5 +1,7 @@
 #include "answers.hpp"
 
+#include "plain_values.hpp"
+
 #include <pybind11/stl.h>
 
 namespace graze::python {
@@ -43,18 +45,24 @@ void add_distances(py::module_& m) {
           "'converged', 'bounded' (right within `error`) or 'unbounded'.")
       .def_readonly("error", &Distance<double>::error)
       .def("__float__", [](const Distance<double>& d) { return d.distance; })
-      .def("__repr__", [](const Distance<double>& d) {
-        return "graze.Distance(" + text_of(d.distance) + ", normal=" + text_of(d.normal) + ")";
-      });
+      .def("__repr__",
+           [](const Distance<double>& d) {
+             return "graze.Distance(" + text_of(d.distance) + ", normal=" + text_of(d.normal) + ")";
+           })
+      .def(pickled<Distance<double>>(&Distance<double>::distance, &Distance<double>::normal, &Distance<double>::a,
+                                     &Distance<double>::b, &Distance<double>::status, &Distance<double>::error));
   py::class_<Closest<double>>(m, "Closest", "A point of a surface: question - point = distance * normal.")
       .def_readonly("distance", &Closest<double>::distance, "Negative inside a solid.")
       .def_property_readonly("point", vector_of(&Closest<double>::point))
       .def_property_readonly("normal", vector_of(&Closest<double>::normal), "Unit, outward.")
       .def_property_readonly("status", [](const Closest<double>& c) { return python::text_of(c.status); })
       .def_readonly("error", &Closest<double>::error)
-      .def("__repr__", [](const Closest<double>& c) {
-        return "graze.Closest(" + text_of(c.distance) + ", point=" + text_of(c.point) + ")";
-      });
+      .def("__repr__",
+           [](const Closest<double>& c) {
+             return "graze.Closest(" + text_of(c.distance) + ", point=" + text_of(c.point) + ")";
+           })
+      .def(pickled<Closest<double>>(&Closest<double>::distance, &Closest<double>::point, &Closest<double>::normal,
+                                    &Closest<double>::status, &Closest<double>::error));
 }
 
 void add_hits(py::module_& m) {
@@ -63,9 +71,12 @@ void add_hits(py::module_& m) {
       .def_property_readonly("point", vector_of(&RayHit<double>::point))
       .def_property_readonly("normal", vector_of(&RayHit<double>::normal), "Unit, against the ray.")
       .def_readonly("piece", &RayHit<double>::piece, "The triangle of a mesh or the child of a compound, else 0.")
-      .def("__repr__", [](const RayHit<double>& h) {
-        return "graze.RayHit(t=" + text_of(h.t) + ", point=" + text_of(h.point) + ")";
-      });
+      .def("__repr__",
+           [](const RayHit<double>& h) {
+             return "graze.RayHit(t=" + text_of(h.t) + ", point=" + text_of(h.point) + ")";
+           })
+      .def(pickled<RayHit<double>>(&RayHit<double>::t, &RayHit<double>::point, &RayHit<double>::normal,
+                                   &RayHit<double>::piece));
   py::class_<CastHit<double>>(m, "CastHit", "When and where two moving bodies first touch.")
       .def_readonly("t", &CastHit<double>::t)
       .def_property_readonly("point", vector_of(&CastHit<double>::point), "In the world at time t.")
@@ -74,9 +85,13 @@ void add_hits(py::module_& m) {
       .def_property_readonly("status", [](const CastHit<double>& h) { return python::text_of(h.status); })
       .def_readonly("piece_a", &CastHit<double>::piece_a)
       .def_readonly("piece_b", &CastHit<double>::piece_b)
-      .def("__repr__", [](const CastHit<double>& h) {
-        return "graze.CastHit(t=" + text_of(h.t) + ", point=" + text_of(h.point) + ")";
-      });
+      .def("__repr__",
+           [](const CastHit<double>& h) {
+             return "graze.CastHit(t=" + text_of(h.t) + ", point=" + text_of(h.point) + ")";
+           })
+      .def(pickled<CastHit<double>>(&CastHit<double>::t, &CastHit<double>::point, &CastHit<double>::normal,
+                                    &CastHit<double>::depth, &CastHit<double>::status, &CastHit<double>::piece_a,
+                                    &CastHit<double>::piece_b));
 }
 
 void add_contacts(py::module_& m) {
@@ -88,9 +103,13 @@ void add_contacts(py::module_& m) {
       .def_property_readonly(
           "position", [](const ContactPoint<double>& p) { return array_of(p.position()); },
           "The point between the two that a solver wants.")
-      .def("__repr__", [](const ContactPoint<double>& p) {
-        return "graze.ContactPoint(" + text_of(p.distance) + ", position=" + text_of(p.position()) + ")";
-      });
+      .def("__repr__",
+           [](const ContactPoint<double>& p) {
+             return "graze.ContactPoint(" + text_of(p.distance) + ", position=" + text_of(p.position()) + ")";
+           })
+      .def(pickled<ContactPoint<double>>(&ContactPoint<double>::a, &ContactPoint<double>::b,
+                                         &ContactPoint<double>::distance, &ContactPoint<double>::feature,
+                                         &ContactPoint<double>::weight));
   py::class_<Manifold<double>>(m, "Manifold", "Points of contact that share a normal.")
       .def_property_readonly("normal", vector_of(&Manifold<double>::normal), "Unit, from a to b.")
       .def_property_readonly("points",
@@ -105,6 +124,7 @@ void add_contacts(py::module_& m) {
           "reduce", [](Manifold<double>& manifold, std::size_t count) { reduce(manifold, count); }, py::arg("count"),
           "Keeps the `count` points that span most.")
       .def("__len__", [](const Manifold<double>& manifold) { return manifold.points.size(); })
+      .def(pickled_manifold<Manifold<double>>())
       .def("__repr__", [](const Manifold<double>& manifold) {
         return "graze.Manifold(normal=" + text_of(manifold.normal) + ", " + std::to_string(manifold.points.size()) +
                " points)";

@@ -2,6 +2,7 @@
 #include "broad_phase_kinds.hpp"
 #include "graze/shape/support_trace.hpp"
 #include "shapes.hpp"
+#include "whole.hpp"
 
 namespace graze::python {
 
@@ -84,6 +85,8 @@ py::dict steps_of(const Shaped& shape, const Vector& direction) {
   return out;
 }
 
+std::uint32_t id_of(const Whole& id) { return id.as<std::uint32_t>("id"); }
+
 void add_broad_phase(py::module_& m) {
   py::class_<Broad>(m, "BroadPhase", R"(Which of many boxes overlap: boxes under whole numbers of your own, no shapes.
 
@@ -100,12 +103,19 @@ corners are the wrong way round.
 )")
       .def(py::init(&broad_phase_of), py::arg("kind") = "dynamic_tree")
       .def(
-          "insert", [](Broad& b, std::uint32_t id, const Vector& l, const Vector& u) { b.insert(id, box_of(l, u)); },
+          "insert",
+          [](Broad& b, const Whole& id, const Vector& l, const Vector& u) { b.insert(id_of(id), box_of(l, u)); },
           py::arg("id"), py::arg("lower"), py::arg("upper"), "Adds a box; its sides may be infinite.")
       .def(
-          "move", [](Broad& b, std::uint32_t id, const Vector& l, const Vector& u) { b.move(id, box_of(l, u)); },
+          "move", [](Broad& b, const Whole& id, const Vector& l, const Vector& u) { b.move(id_of(id), box_of(l, u)); },
           py::arg("id"), py::arg("lower"), py::arg("upper"))
-      .def("remove", &Broad::remove, py::arg("id"))
+      .def(
+          "remove", [](Broad& b, const Whole& id) { b.remove(id_of(id)); }, py::arg("id"))
+      .def("__repr__",
+           [](const Broad& b) {
+             return "graze.BroadPhase(tests=" + std::to_string(b.tests()) + ", memory=" + std::to_string(b.memory()) +
+                    ")";
+           })
       .def(
           "pairs",
           [](Broad& b) {

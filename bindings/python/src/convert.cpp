@@ -4,6 +4,21 @@
 
 namespace graze::python {
 
+namespace {
+
+/// Throws for an array whose numbers are not all that it holds: an imaginary part would be dropped, and a mask with it.
+void check_plain(const py::handle& from, const char* name) {
+  if (!py::isinstance<py::array>(from)) return;
+  const auto array = py::reinterpret_borrow<py::array>(from);
+  if (array.dtype().kind() == 'c')
+    throw py::type_error(std::string(name) + ": expected real numbers, got complex ones");
+  const auto* plain = reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
+  if (reinterpret_cast<const PyObject*>(Py_TYPE(from.ptr())) != plain && py::hasattr(from, "mask"))
+    throw py::type_error(std::string(name) + ": expected an array without a mask, got a masked one");
+}
+
+}  // namespace
+
 bool read_numbers(py::handle from, double* to, py::ssize_t size) {
   if (PyTuple_Check(from.ptr()) || PyList_Check(from.ptr())) {
     if (PySequence_Fast_GET_SIZE(from.ptr()) != size) return false;
@@ -18,6 +33,7 @@ bool read_numbers(py::handle from, double* to, py::ssize_t size) {
     return true;
   }
   if (!py::isinstance<py::array>(from)) return false;
+  check_plain(from, "array");
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(from);
   if (!array || array.size() != size) return false;
   std::copy_n(array.data(), size, to);
@@ -120,6 +136,7 @@ py::array_t<double> array_of_points(std::span<const Vec3d> points) {
 }
 
 Rows rows(py::handle from, py::ssize_t columns, const char* name) {
+  check_plain(from, name);
   const auto array = Rows::ensure(from);
   if (!array) {
     PyErr_Clear();
@@ -134,6 +151,7 @@ Rows rows(py::handle from, py::ssize_t columns, const char* name) {
 }
 
 IndexRows index_rows(py::handle from, py::ssize_t columns, const char* name) {
+  check_plain(from, name);
   const py::array given = py::array::ensure(from);
   if (!given || (given.size() > 0 && given.dtype().kind() != 'i' && given.dtype().kind() != 'u')) {
     PyErr_Clear();

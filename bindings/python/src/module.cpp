@@ -1,5 +1,6 @@
 // The Python module `graze._graze`; the package's __init__.py shows its names as graze's own.
 #include "answers.hpp"
+#include "raised.hpp"
 #include "shapes.hpp"
 
 PYBIND11_MODULE(_graze, m) {
@@ -18,4 +19,5 @@ PYBIND11_MODULE(_graze, m) {
   add_replay(m);
   add_scenes(m);
   add_plane(m);
+  raise_after_calls(m);
 }

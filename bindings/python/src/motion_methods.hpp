@@ -2,6 +2,7 @@
 // differ in their `Words` (`motion.cpp`).
 #pragma once
 
+#include "plain_values.hpp"
 #include "row_batches.hpp"
 
 #include <pybind11/stl.h>
@@ -83,6 +84,29 @@ struct MotionMethods {
         .def_property_readonly("angular", [](const Body& b) { return Words::object_of(b.motion.angular); })
         .def_property_readonly("center", [](const Body& b) { return Words::object_of(b.motion.center); })
         .def_property_readonly("movable", [](const Body& b) { return b.mass.movable(); })
+        .def("__repr__",
+             [](const py::object& self) {
+               const auto& b = self.cast<const Body&>();
+               return call_text(class_name(self), {{"linear", member_of(b.motion.linear)},
+                                                   {"angular", member_of(b.motion.angular)},
+                                                   {"center", member_of(b.motion.center)},
+                                                   {"movable", py::cast(b.mass.movable())}});
+             })
+        .def(py::pickle(
+            [](const Body& b) {
+              return py::make_tuple(member_of(b.motion.linear), member_of(b.motion.angular), member_of(b.motion.center),
+                                    b.mass.mass, member_of(b.mass.inertia));
+            },
+            [](const py::tuple& state) {
+              if (state.size() != 5) validate::fail("state", "5 members", std::to_string(state.size()));
+              Body b{};
+              read_member(state[0], b.motion.linear);
+              read_member(state[1], b.motion.angular);
+              read_member(state[2], b.motion.center);
+              read_member(state[3], b.mass.mass);
+              read_member(state[4], b.mass.inertia);
+              return b;
+            }))
         .def(
             "apply_impulse",
             [](const Body& body, const VectorGiven& impulse, const VectorGiven& point) {
@@ -104,7 +128,14 @@ struct MotionMethods {
              py::arg("a"), py::arg("b"), py::arg("normal"), py::arg("points"), py::arg("restitution") = 0.0,
              (std::string("a, b: places among the bodies. normal: unit, from a to b. points: ") + Words::vectors +
               ".\nrestitution: how much of the approach comes back, 0 to 1.")
-                 .c_str());
+                 .c_str())
+        .def("__repr__",
+             [](const py::object& self) { return call_text(class_name(self), arguments(self.cast<const Meeting&>())); })
+        .def("__reduce__", [](const py::object& self) {
+          py::list values;
+          for (const auto& [name, value] : arguments(self.cast<const Meeting&>())) values.append(value);
+          return py::make_tuple(py::type::of(self), py::tuple(values));
+        });
     m.def("pass_on", &pass_all_on, py::arg("bodies"), py::arg("blows"), py::arg("resting_speed") = 0.0,
           py::arg("most") = 1000,
           R"(What bodies do that touch each other while one of them is struck, as in a cradle: a dictionary.
@@ -112,6 +143,17 @@ struct MotionMethods {
 Strikes the blow that approaches fastest until none does by more than `resting_speed`, or `most` were struck. `bodies`
 are those after it, `impulses` has an array for each blow of what its points pushed, `struck` says how many blows were
 struck, and `approach` how fast the fastest still is.)");
+  }
+
+  /// The arguments that make a blow anew.
+  static Arguments arguments(const Meeting& x) {
+    py::list points;
+    for (const auto& point : x.points) points.append(member_of(point));
+    return {{"a", py::cast(x.a)},
+            {"b", py::cast(x.b)},
+            {"normal", member_of(x.normal)},
+            {"points", points},
+            {"restitution", py::cast(x.restitution)}};
   }
 
   static py::dict pass_all_on(const std::vector<Body>& given, const std::vector<Meeting>& meetings,
@@ -170,6 +212,15 @@ struck, and `approach` how fast the fastest still is.)");
         .def_property_readonly("angular", [](const Free& b) { return Words::object_of(angular_velocity(b)); })
         .def_property_readonly("angular_momentum", [](const Free& b) { return Words::object_of(b.angular_momentum); })
         .def_property_readonly("rotational_energy", [](const Free& b) { return rotational_energy(b); })
+        .def("__repr__",
+             [](const py::object& self) {
+               return call_text(class_name(self),
+                                {{"pose", self.attr("pose")},
+                                 {"linear", member_of(self.cast<const Free&>().linear)},
+                                 {"angular_momentum", member_of(self.cast<const Free&>().angular_momentum)}});
+             })
+        .def(pickled<Free>(&Free::center, &Free::rotation, &Free::linear, &Free::angular_momentum,
+                           &Free::inverse_inertia))
         .def(
             "advance",
             [](Free& body, double duration, const VectorGiven& acceleration) {

@@ -1,4 +1,5 @@
 // Answers about the plane for Python.
+#include "plain_values.hpp"
 #include "plane_convert.hpp"
 
 namespace graze::python {
@@ -34,9 +35,12 @@ void add_contacts(py::module_& m) {
       .def_property_readonly(
           "position", [](const ContactPoint& p) { return array_of(p.position()); },
           "The point between the two that a solver wants.")
-      .def("__repr__", [](const ContactPoint& p) {
-        return "graze.plane.ContactPoint(" + text(p.distance) + ", position=" + text(p.position()) + ")";
-      });
+      .def("__repr__",
+           [](const ContactPoint& p) {
+             return "graze.plane.ContactPoint(" + text(p.distance) + ", position=" + text(p.position()) + ")";
+           })
+      .def(pickled<ContactPoint>(&ContactPoint::a, &ContactPoint::b, &ContactPoint::distance, &ContactPoint::feature,
+                                 &ContactPoint::weight));
   py::class_<Manifold>(m, "Manifold", "At most two points of contact that share a normal.")
       .def_property_readonly("normal", vector_of(&Manifold::normal), "Unit, from a to b.")
       .def_property_readonly("points",
@@ -53,6 +57,7 @@ void add_contacts(py::module_& m) {
           "reduce", [](Manifold& manifold, std::size_t count) { reduce(manifold, count); }, py::arg("count"),
           "Keeps the `count` deepest points.")
       .def("__len__", [](const Manifold& manifold) { return manifold.points.size(); })
+      .def(pickled_manifold<Manifold>())
       .def("__repr__", [](const Manifold& manifold) {
         return "graze.plane.Manifold(normal=" + text(manifold.normal) + ", " + std::to_string(manifold.points.size()) +
                " points)";
@@ -70,18 +75,22 @@ void add_plane_answers(py::module_& m) {
       .def_property_readonly("status", status_of<Distance>(), status_doc)
       .def_readonly("error", &Distance::error)
       .def("__float__", [](const Distance& d) { return d.distance; })
-      .def("__repr__", [](const Distance& d) {
-        return "graze.plane.Distance(" + text(d.distance) + ", normal=" + text(d.normal) + ")";
-      });
+      .def("__repr__",
+           [](const Distance& d) {
+             return "graze.plane.Distance(" + text(d.distance) + ", normal=" + text(d.normal) + ")";
+           })
+      .def(pickled<Distance>(&Distance::distance, &Distance::normal, &Distance::a, &Distance::b, &Distance::status,
+                             &Distance::error));
   py::class_<Closest>(m, "Closest", "A point of a surface: question - point = distance * normal.")
       .def_readonly("distance", &Closest::distance, "Negative inside a solid.")
       .def_property_readonly("point", vector_of(&Closest::point))
       .def_property_readonly("normal", vector_of(&Closest::normal), "Unit, outward.")
       .def_property_readonly("status", status_of<Closest>(), status_doc)
       .def_readonly("error", &Closest::error)
-      .def("__repr__", [](const Closest& c) {
-        return "graze.plane.Closest(" + text(c.distance) + ", point=" + text(c.point) + ")";
-      });
+      .def(
+          "__repr__",
+          [](const Closest& c) { return "graze.plane.Closest(" + text(c.distance) + ", point=" + text(c.point) + ")"; })
+      .def(pickled<Closest>(&Closest::distance, &Closest::point, &Closest::normal, &Closest::status, &Closest::error));
   py::class_<RayHit>(m, "RayHit", "Where a ray meets a shape.")
       .def_readonly("t", &RayHit::t, "Along the ray, a length.")
       .def_property_readonly("point", vector_of(&RayHit::point))
@@ -89,7 +98,8 @@ void add_plane_answers(py::module_& m) {
       .def_readonly("piece", &RayHit::piece, "The child of a compound, else 0.")
       .def_property_readonly("status", status_of<RayHit>(), status_doc)
       .def("__repr__",
-           [](const RayHit& h) { return "graze.plane.RayHit(t=" + text(h.t) + ", point=" + text(h.point) + ")"; });
+           [](const RayHit& h) { return "graze.plane.RayHit(t=" + text(h.t) + ", point=" + text(h.point) + ")"; })
+      .def(pickled<RayHit>(&RayHit::t, &RayHit::point, &RayHit::normal, &RayHit::piece, &RayHit::status));
   py::class_<CastHit>(m, "CastHit", "When and where two moving bodies first touch.")
       .def_readonly("t", &CastHit::t)
       .def_property_readonly("point", vector_of(&CastHit::point), "In the world at time t.")
@@ -99,7 +109,9 @@ void add_plane_answers(py::module_& m) {
       .def_readonly("piece_a", &CastHit::piece_a)
       .def_readonly("piece_b", &CastHit::piece_b)
       .def("__repr__",
-           [](const CastHit& h) { return "graze.plane.CastHit(t=" + text(h.t) + ", point=" + text(h.point) + ")"; });
+           [](const CastHit& h) { return "graze.plane.CastHit(t=" + text(h.t) + ", point=" + text(h.point) + ")"; })
+      .def(pickled<CastHit>(&CastHit::t, &CastHit::point, &CastHit::normal, &CastHit::depth, &CastHit::status,
+                            &CastHit::piece_a, &CastHit::piece_b));
   add_contacts(m);
 }
 

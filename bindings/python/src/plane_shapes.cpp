@@ -3,6 +3,7 @@
 
 #include "bounded_convex.hpp"
 #include "plane_convert.hpp"
+#include "raised.hpp"
 
 namespace graze::python {
 
@@ -41,19 +42,17 @@ class PythonSupport final : public plane::SupportFunction<double> {
     function_ = py::function();
   }
 
-  /// The support point. An exception of Python cannot pass through a query: it is reported as Python reports errors in
-  /// destructors, and the point is the origin.
+  /// The support point; the origin where the call will raise an exception.
   plane::Vec2d support(const plane::Vec2d& direction) const override {
+    plane::Vec2d found{};
+    if (raising()) return found;
     const py::gil_scoped_acquire lock;
-    try {
-      plane::Vec2d found;
-      if (read_vector(function_(array_of(direction)), found)) return found;
-      PyErr_SetString(PyExc_TypeError, "a support function has to return two numbers");
-      PyErr_WriteUnraisable(function_.ptr());
-    } catch (py::error_already_set& error) {
-      error.discard_as_unraisable("the support function of a graze.plane.UserConvex");
-    }
-    return {};
+    raise_later([&] {
+      const py::object point = function_(array_of(direction));
+      if (!read_vector(point, found))
+        throw py::type_error("support: expected two numbers, got " + std::string(py::str(py::repr(point))));
+    });
+    return found;
   }
 
   const py::function& function() const { return function_; }
@@ -224,8 +223,9 @@ graze.plane.Box(size=(2.0, 1.0), rounding=0.1)
   shape_class<Of<UserConvex>>(m, "UserConvex", R"(Your own convex shape: one support function.
 
 support: takes a direction (an array of two numbers, not zero) and returns the point of the set
-that lies furthest along it. It has to be a function of its argument alone; what it raises in a
-query is reported and not passed on.)")
+that lies furthest along it. It has to be a function of its argument alone. What it raises, and a
+TypeError for what is no point, is raised by the call that asked it, when that returns; its answer
+is lost.)")
       .def(py::init([](py::function support, double rounding) {
              return Of<UserConvex>(UserConvex(std::make_shared<PythonSupport>(std::move(support))), rounding);
            }),

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "bounded_convex.hpp"
+#include "raised.hpp"
 
 namespace graze::python {
 
@@ -28,21 +29,17 @@ class PythonSupport final : public SupportFunction<double> {
     function_ = py::function();
   }
 
-  /// The support point. An exception of Python cannot pass through a query: it is reported as Python reports errors in
-  /// destructors, and the point is the origin.
+  /// The support point; the origin where the call will raise an exception.
   Vec3d support(const Vec3d& direction) const override {
+    Vec3d found{};
+    if (raising()) return found;
     const py::gil_scoped_acquire lock;
-    try {
-      Vec3d found;
-      if (read_vector(function_(array_of(direction)), found)) return found;
-      throw py::type_error("a support function has to return three numbers");
-    } catch (py::error_already_set& error) {
-      error.discard_as_unraisable("the support function of a graze.UserConvex");
-    } catch (const py::builtin_exception& error) {
-      error.set_error();
-      PyErr_WriteUnraisable(function_.ptr());
-    }
-    return {};
+    raise_later([&] {
+      const py::object point = function_(array_of(direction));
+      if (!read_vector(point, found))
+        throw py::type_error("support: expected three numbers, got " + std::string(py::str(py::repr(point))));
+    });
+    return found;
   }
 
   const py::function& function() const { return function_; }
@@ -281,7 +278,8 @@ void add_convex(py::module_& m) {
 
 support: takes a direction (an array of three numbers, not zero) and returns the point of the
 set that lies furthest along it. Called from any query, so it has to be a function of its
-argument alone; what it raises is reported and not passed on.)")
+argument alone. What it raises, and a TypeError for what is no point, is raised by the call that
+asked it, when that returns; its answer is lost.)")
       .def(py::init([](py::function support, double rounding) {
              return Of<UserConvex<double>>(UserConvex<double>(std::make_shared<PythonSupport>(std::move(support))),
                                            rounding);
@@ -321,9 +319,12 @@ edge; slivers triangles lower than 1/1000 of their longest side. None of it is a
 
 heights: shape (rows, columns); heights[r, c] stands at x = (c - (columns - 1) / 2) spacing_x and
 z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
-      .def(py::init([](const Rows& heights, double spacing_x, double spacing_z, bool front_only) {
-             if (heights.ndim() != 2)
-               validate::fail("heights", "an array of two dimensions", static_cast<double>(heights.ndim()));
+      .def(py::init([](const py::object& given, double spacing_x, double spacing_z, bool front_only) {
+             const py::array any =
+                 py::isinstance<py::array>(given) ? py::reinterpret_borrow<py::array>(given) : py::array::ensure(given);
+             if (!any || any.ndim() != 2)
+               validate::fail("heights", "an array of two dimensions", any ? static_cast<double>(any.ndim()) : 0);
+             const Rows heights = rows(any, any.shape(1), "heights");
              return Of<HeightField<double>>(HeightField<double>(
                  static_cast<std::size_t>(heights.shape(1)), static_cast<std::size_t>(heights.shape(0)),
                  std::vector<double>(heights.data(), heights.data() + heights.size()), spacing_x, spacing_z,
@@ -411,13 +412,20 @@ Without turning; the result stands at the same pose. Raises ValueError.
           py::arg("sizes"), "Boxes of the full edge lengths of each row.")
       .def_static(
           "spheres",
-          [](const py::array_t<double, py::array::c_style | py::array::forcecast>& radii) {
+          [](const py::object& radii) {
             ShapeArray array;
-            for (py::ssize_t i = 0; i < radii.size(); ++i) array.shapes.emplace_back(Sphere<double>(radii.data()[i]));
+            const py::object any = py::isinstance<py::array>(radii) ? radii : py::array::ensure(radii);
+            if (!any) throw py::type_error("radii: expected an array of numbers");
+            const Rows given = rows(any.attr("reshape")(-1, 1), 1, "radii");
+            for (py::ssize_t i = 0; i < given.size(); ++i) array.shapes.emplace_back(Sphere<double>(given.data()[i]));
             return array;
           },
           py::arg("radii"))
       .def("__len__", [](const ShapeArray& a) { return a.shapes.size(); })
+      .def("__repr__",
+           [](const ShapeArray& a) { return "<graze.ShapeArray of " + std::to_string(a.shapes.size()) + " shapes>"; })
+      .def("__reduce__",
+           [](const py::object& self) { return py::make_tuple(py::type::of(self), py::make_tuple(py::list(self))); })
       .def("__getitem__", [](const ShapeArray& a, std::size_t i) {
         if (i >= a.shapes.size())
           throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(a.shapes.size()) + " shapes");

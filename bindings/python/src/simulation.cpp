@@ -57,7 +57,21 @@ for numbers that are none where a joint gets the limit.)")
       .def_readonly("min", &Limit::min)
       .def_readonly("max", &Limit::max)
       .def_readonly("stiffness", &Limit::stiffness)
-      .def_readonly("damping", &Limit::damping);
+      .def_readonly("damping", &Limit::damping)
+      .def("__repr__",
+           [](const py::object& self) {
+             return call_text("graze.JointLimit", {{"space", self.attr("space")},
+                                                   {"axes", self.attr("axes")},
+                                                   {"min", self.attr("min")},
+                                                   {"max", self.attr("max")},
+                                                   {"stiffness", self.attr("stiffness")},
+                                                   {"damping", self.attr("damping")}});
+           })
+      .def("__reduce__", [](const py::object& self) {
+        return py::make_tuple(py::type::of(self),
+                              py::make_tuple(self.attr("space"), self.attr("axes"), self.attr("min"), self.attr("max"),
+                                             self.attr("stiffness"), self.attr("damping")));
+      });
   using Drive = JointDrive<double>;
   const Drive usual;
   py::class_<Drive>(m, "JointDrive", R"(A motor on one axis of a joint's frame on the first body.
@@ -87,9 +101,33 @@ Raises ValueError for words that are none; for numbers that are none where a joi
       .def_readonly("stiffness", &Drive::stiffness)
       .def_readonly("damping", &Drive::damping)
       .def_readonly("max_force", &Drive::max_force)
-      .def_property_readonly("acceleration", [](const Drive& d) { return d.mode == DriveMode::acceleration; });
-  py::class_<JointId>(m, "JointId", "A handle of a joint.")
+      .def_property_readonly("acceleration", [](const Drive& d) { return d.mode == DriveMode::acceleration; })
+      .def("__repr__",
+           [](const py::object& self) {
+             return call_text("graze.JointDrive", {{"space", self.attr("space")},
+                                                   {"axis", self.attr("axis")},
+                                                   {"position_target", self.attr("position_target")},
+                                                   {"velocity_target", self.attr("velocity_target")},
+                                                   {"stiffness", self.attr("stiffness")},
+                                                   {"damping", self.attr("damping")},
+                                                   {"max_force", self.attr("max_force")},
+                                                   {"acceleration", self.attr("acceleration")}});
+           })
+      .def("__reduce__", [](const py::object& self) {
+        return py::make_tuple(py::type::of(self),
+                              py::make_tuple(self.attr("space"), self.attr("axis"), self.attr("position_target"),
+                                             self.attr("velocity_target"), self.attr("stiffness"), self.attr("damping"),
+                                             self.attr("max_force"), self.attr("acceleration")));
+      });
+  py::class_<JointId>(m, "JointId", "A handle of a joint: its index, and how often that was given away before.")
       .def_readonly("index", &JointId::index)
+      .def_readonly("generation", &JointId::generation)
+      .def(
+          "__repr__",
+          [](const JointId& id) {
+            return call_text("graze.JointId", {{"index", py::cast(id.index)}, {"generation", py::cast(id.generation)}});
+          })
+      .def(pickled<JointId>(&JointId::index, &JointId::generation))
       .def(
           "__eq__", [](const JointId& a, const JointId& b) { return a == b; }, py::is_operator())
       .def("__hash__", [](const JointId& id) { return py::hash(py::make_tuple(id.index, id.generation)); });
@@ -97,15 +135,25 @@ Raises ValueError for words that are none; for numbers that are none where a joi
 
 }  // namespace
 
+namespace {
+
+constexpr std::pair<const char*, Combine> combine_names[] = {{"unset", Combine::unset},
+                                                             {"average", Combine::average},
+                                                             {"minimum", Combine::minimum},
+                                                             {"maximum", Combine::maximum},
+                                                             {"multiply", Combine::multiply}};
+
+}  // namespace
+
 Combine combine_of(const std::string& name, const char* path) {
-  constexpr std::pair<const char*, Combine> names[] = {{"unset", Combine::unset},
-                                                       {"average", Combine::average},
-                                                       {"minimum", Combine::minimum},
-                                                       {"maximum", Combine::maximum},
-                                                       {"multiply", Combine::multiply}};
-  for (const auto& [text, combine] : names)
+  for (const auto& [text, combine] : combine_names)
     if (name == text) return combine;
   validate::fail(path, "unset, average, minimum, maximum or multiply", name);
+}
+
+const char* text_of(Combine combine) {
+  const auto* found = std::ranges::find(combine_names, combine, &std::pair<const char*, Combine>::second);
+  return found->first;
 }
 
 void add_simulation(py::module_& m) {

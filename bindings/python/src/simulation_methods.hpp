@@ -6,6 +6,7 @@
 
 #include "answers.hpp"
 #include "draw.hpp"
+#include "plain_values.hpp"
 #include "world.hpp"
 
 namespace graze::python {
@@ -40,6 +41,8 @@ class OwnSimulation {
 
 /// The rule of a word. Throws `InvalidValue` for a word that is none.
 Combine combine_of(const std::string& name, const char* path);
+/// The word of a rule.
+const char* text_of(Combine combine);
 
 /// The methods of a simulation of space or the plane.
 template <class Words>
@@ -64,7 +67,7 @@ class SimulationMethods {
   static void add(py::module_& m, const char* doc) {
     using Own = OwnSimulation<Words>;
     add_material(m);
-    py::class_<State>(m, "State", "A state of a simulation, to go back to.");
+    py::class_<State>(m, "State", "A state of a simulation, to go back to. In memory alone: a State is not pickled.");
     py::class_<Own> simulation(m, "Simulation", doc);
     const Settings usual;
     simulation
@@ -131,6 +134,11 @@ cannot hold: a shape with a support function in Python.)");
     add_bodies(simulation);
     add_motion(simulation);
     add_joints(simulation);
+    simulation.def("__repr__", [](const py::object& self) {
+      const auto inner = self.cast<const Own&>().read();
+      return call_text(class_name(self), {{"bodies", py::cast(inner->world().bodies().count())},
+                                          {"joints", py::cast(inner->joints().size())}});
+    });
     m.def(
         "draw",
         [](const py::object& on, const Own& drawn) {
@@ -195,25 +203,58 @@ cannot hold: a shape with a support function in Python.)");
 
 Frictions are Coulomb's coefficients >= 0, restitution is 0 to 1, rolling friction a length;
 combine modes: 'unset', 'average', 'minimum', 'maximum' or 'multiply'. surface_velocity: of a belt,
-in the body's frame. Raises ValueError for a combine mode that is none; for numbers that are none
-where a body gets the material.)")
+in the body's frame. Raises ValueError for a combine mode or a number that is none.)")
         .def(py::init([](double static_friction, double dynamic_friction, double restitution, double rolling_friction,
                          const std::string& friction_combine, const std::string& restitution_combine,
                          const Vector& surface_velocity) {
+               const auto positive = [](double value, const char* path) {
+                 if (!(value >= 0 && std::isfinite(value))) validate::fail(path, "a finite number >= 0", value);
+                 return value;
+               };
+               if (!(restitution >= 0 && restitution <= 1))
+                 validate::fail("restitution", "a number from 0 to 1", restitution);
                Material material;
-               material.static_friction = static_friction;
-               material.dynamic_friction = dynamic_friction;
+               material.static_friction = positive(static_friction, "static_friction");
+               material.dynamic_friction = positive(dynamic_friction, "dynamic_friction");
                material.restitution = restitution;
-               material.rolling_friction = rolling_friction;
+               material.rolling_friction = positive(rolling_friction, "rolling_friction");
                material.friction_combine = combine_of(friction_combine, "friction_combine");
                material.restitution_combine = combine_of(restitution_combine, "restitution_combine");
-               material.surface_velocity = surface_velocity.value;
+               material.surface_velocity = Words::checked(surface_velocity, "surface_velocity");
                return material;
              }),
              py::arg("static_friction") = usual.static_friction, py::arg("dynamic_friction") = usual.dynamic_friction,
              py::arg("restitution") = usual.restitution, py::arg("rolling_friction") = usual.rolling_friction,
              py::arg("friction_combine") = "unset", py::arg("restitution_combine") = "unset",
-             py::arg("surface_velocity") = Vector{});
+             py::arg("surface_velocity") = Vector{})
+        .def_readonly("static_friction", &Material::static_friction)
+        .def_readonly("dynamic_friction", &Material::dynamic_friction)
+        .def_readonly("restitution", &Material::restitution)
+        .def_readonly("rolling_friction", &Material::rolling_friction)
+        .def_property_readonly("friction_combine",
+                               [](const Material& x) { return python::text_of(x.friction_combine); })
+        .def_property_readonly("restitution_combine",
+                               [](const Material& x) { return python::text_of(x.restitution_combine); })
+        .def_property_readonly("surface_velocity", [](const Material& x) { return array_of(x.surface_velocity); })
+        .def("__repr__",
+             [](const py::object& self) {
+               const auto& x = self.cast<const Material&>();
+               return call_text(class_name(self),
+                                {{"static_friction", py::cast(x.static_friction)},
+                                 {"dynamic_friction", py::cast(x.dynamic_friction)},
+                                 {"restitution", py::cast(x.restitution)},
+                                 {"rolling_friction", py::cast(x.rolling_friction)},
+                                 {"friction_combine", py::cast(python::text_of(x.friction_combine))},
+                                 {"restitution_combine", py::cast(python::text_of(x.restitution_combine))},
+                                 {"surface_velocity", tuple_of(x.surface_velocity)}});
+             })
+        .def("__reduce__", [](const py::object& self) {
+          const auto& x = self.cast<const Material&>();
+          return py::make_tuple(py::type::of(self),
+                                py::make_tuple(x.static_friction, x.dynamic_friction, x.restitution, x.rolling_friction,
+                                               python::text_of(x.friction_combine),
+                                               python::text_of(x.restitution_combine), tuple_of(x.surface_velocity)));
+        });
   }
 
   template <class Own>

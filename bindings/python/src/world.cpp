@@ -1,5 +1,6 @@
 // A world of space, and the parts that worlds of space and the plane share: handles of bodies, filters, events.
 #include "shapes.hpp"
+#include "whole.hpp"
 #include "world_methods.hpp"
 
 namespace graze::python {
@@ -13,6 +14,7 @@ void add_handles(py::module_& m) {
       .def(
           "__eq__", [](const BodyId& a, const BodyId& b) { return a == b; }, py::is_operator())
       .def("__hash__", [](const BodyId& id) { return py::hash(py::make_tuple(id.index, id.generation)); })
+      .def(pickled<BodyId>(&BodyId::index, &BodyId::generation))
       .def("__repr__", [](const BodyId& id) {
         return "graze.BodyId(index=" + std::to_string(id.index) + ", generation=" + std::to_string(id.generation) + ")";
       });
@@ -20,13 +22,16 @@ void add_handles(py::module_& m) {
 
 category, mask: 64 bits; two bodies may collide when each one's category meets the other's mask.
 group: of equal groups, positive always collide and negative never; 0 is no group.)")
-      .def(py::init([](std::uint64_t category, std::uint64_t mask, std::int32_t group) {
-             return Filter{category, mask, group};
+      .def(py::init([](const Whole& category, const Whole& mask, const Whole& group) {
+             return Filter{category.as<std::uint64_t>("category"), mask.as<std::uint64_t>("mask"),
+                           group.as<std::int32_t>("group")};
            }),
-           py::arg("category") = Filter{}.category, py::arg("mask") = Filter{}.mask, py::arg("group") = Filter{}.group)
+           py::arg("category") = Whole(Filter{}.category), py::arg("mask") = Whole(Filter{}.mask),
+           py::arg("group") = Whole(Filter{}.group))
       .def_readonly("category", &Filter::category)
       .def_readonly("mask", &Filter::mask)
       .def_readonly("group", &Filter::group)
+      .def(pickled<Filter>(&Filter::category, &Filter::mask, &Filter::group))
       .def("__repr__", [](const Filter& f) {
         return py::str("graze.Filter(category={}, mask={}, group={})").format(f.category, f.mask, f.group);
       });

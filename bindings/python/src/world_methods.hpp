@@ -7,6 +7,7 @@
 #include "answers.hpp"
 #include "graze/slide.hpp"
 #include "graze/world/reduce.hpp"
+#include "plain_values.hpp"
 #include "world.hpp"
 
 namespace graze::python {
@@ -280,7 +281,12 @@ ValueError for a duration that is negative or not finite.)");
             },
             py::arg("body"), "(linear velocity of its origin, angular velocity), in world axes.")
         .def("__contains__", [](const View& w, BodyId id) { return w.read()->bodies().contains(id); })
-        .def("__len__", [](const View& w) { return w.read()->bodies().count(); });
+        .def("__len__", [](const View& w) { return w.read()->bodies().count(); })
+        .def("__repr__", [](const py::object& self) {
+          const auto world = self.cast<const View&>().read();
+          return call_text(class_name(self), {{"bodies", py::cast(world->bodies().count())},
+                                              {"pairs", py::cast(world->contacts().pairs.size())}});
+        });
   }
 
   static void add_contacts(ViewClass& view) {

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "graze/standard.hpp"
 #include "graze/visibility.hpp"
 
 namespace graze::mpi {
