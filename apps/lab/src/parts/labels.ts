@@ -32,8 +32,8 @@ export class LabelPlaces {
   keep([x, y]: [number, number], half: number): void {
     this.taken.push(around(x, y, half));
   }
-  /** The box of a label at a point: the first place in the stage where nothing lies, or else that which hides least. The
-   *  label of a point outside the stage stays with it, unseen. */
+  /** The box of a label at a point: the first place in the stage where nothing lies, or else that which hides least.
+   *  The label of a point outside the stage stays with it, unseen. */
   place([x, y]: [number, number], text: string): Box {
     const { stage } = this, seen = overlap(around(x, y, 0.5), stage) > 0, width = widthOf(text);
     let best: Box | undefined, least = Infinity;
