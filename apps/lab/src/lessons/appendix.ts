@@ -44,7 +44,7 @@ function present(state: State): { pair: Pair; q: Question } {
 export const appendix: Lesson = {
   id: "appendix", number: 14, title: "Points, lines, planes, rays, triangles", question: "How far, and where do they meet?",
   intro: "The small questions that everything else is made of. Choose a pair, drag its points.",
-  dimension: 3, view: { center: [0.1, 0.7, 0], reach: 1.6 }, start: stateOf(pairs[0]),
+  dimension: 3, view: { center: [0.1, 0.7, 0], reach: 1.8 }, start: stateOf(pairs[0]),
   choices: [{ key: "pair", label: "Pair", options: pairs.map(({ value, label }) => ({ value, label })) }],
   handles(state): Handle[] {
     const { q } = present(state), made: Handle[] = [];
@@ -106,11 +106,11 @@ export const appendix: Lesson = {
     return steps;
   },
   tryThis: [
-    { label: "Beyond the end", note: "The nearest point of the segment is its end.", state: stateOf(pairs[0], { ...pairs[0].q, point: [2.2, 1.4, 0.2] }) },
+    { label: "Beyond the end", note: "The nearest point of the segment is its end.", state: stateOf(pairs[0], { ...pairs[0].q, point: [1.7, 1.5, 0.2] }) },
     { label: "A miss", note: "The ray passes beside the triangle.", state: stateOf(pairs[5], { ...pairs[5].q, ray: { origin: [1.6, 2, 0.9], direction: [0, -1, 0] } }) },
   ],
   wrong: [
-    { label: "Parallel lines", note: "The two equations become one: many pairs of points are nearest. The answer is one of them, and the distance is right.", state: stateOf(pairs[3], { ...pairs[3].q, b: { shape: convex([[-1, 1.2, 0], [1.9, 1.6, 0.4]]) } }) },
+    { label: "Parallel lines", note: "The two equations become one: many pairs of points are nearest. The answer is one of them, and the distance is right.", state: stateOf(pairs[3], { ...pairs[3].q, b: { shape: convex([[-1.3, 1.2, 0], [1.6, 1.6, 0.4]]) } }) },
     { label: "A ray in the plane", note: "The denominator is zero: the ray lies in the surface, starts in contact, and the answer is t = 0.", state: stateOf(pairs[4], { ...pairs[4].q, ray: { origin: [-1.2, 0, 0], direction: [1, 0, 0] } }) },
     { label: "A point on an edge", note: "Distance zero: the direction to the nearest point does not exist, and the normal is that of the triangle.", state: stateOf(pairs[2], { ...pairs[2].q, point: [0.2, 0, -0.7] }) },
   ],

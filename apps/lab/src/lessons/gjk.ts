@@ -183,7 +183,7 @@ export const gjkPlane: Lesson = {
   id: "gjk", number: 7, title: "GJK in the plane", question: "How far apart are they, and why may we stop?",
   intro: "The algorithm of Gilbert, Johnson and Keerthi walks through the difference towards the origin. It works for everything that can name its " +
     "furthest point along a direction.",
-  dimension: 2, view: (s) => ({ center: add([1.6, -2.4], away(s.q)), reach: 5.2 }), start: planeState([3.4, 1.1], 0.4),
+  dimension: 2, view: (s) => ({ center: add([1.6, -2.3], away(s.q)), reach: 5.6 }), start: planeState([3.4, 1.1], 0.4),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b)],
   drag: (s, id, to) => dragBody(s, id, to, arms),
   steps({ q }) {
@@ -196,7 +196,7 @@ export const gjkPlane: Lesson = {
   tryThis: [
     { label: "Origin inside", note: "The shapes overlap: the simplex encloses O.", state: planeState([0.9, 0.6], 0.4) },
     { label: "Parallel sides", note: "Every point of a side is nearest; GJK takes one.", state: planeState([3.2, 0], 0, box(2, 2), box(2, 2)) },
-    { label: "Thin shapes", note: "Two needles, one corner each.", state: planeState([1.2, 2.2], 0.9, box(3.4, 0.04), box(3.4, 0.04)) },
+    { label: "Thin shapes", note: "Two needles, one corner each.", state: planeState([3.5, 1], 0.6, box(3.4, 0.04), box(3.4, 0.04)) },
   ],
   wrong: [
     { label: "Origin on an edge", note: "The shapes touch: O lies on a side of the difference. A test against an absolute epsilon decides this differently at another scale; the library's tolerance follows from the shapes' sizes.", state: planeState([2, 0.3], 0, box(2, 2), box(2, 2)) },

@@ -19,6 +19,8 @@ export interface Step {
   graph?: Graph;
   /** The drawing in words, for those who do not see it. */
   says: string;
+  /** The names of those `named` handles that this step has. */
+  handles?: string[];
   draw(drawing: Drawing): void;
 }
 
@@ -33,6 +35,7 @@ export function later(make: () => Step): Step {
     get numbers() { return step().numbers; },
     get graph() { return step().graph; },
     get says() { return step().says; },
+    get handles() { return step().handles; },
     draw: (drawing) => step().draw(drawing),
   };
 }

@@ -77,6 +77,7 @@ function sliding(state: State, corners: Support[]): Step {
       { cells: ["of A", vector(sum ? scale(flat(made.a), -1) : flat(made.a), 4)] }, { cells: ["of B", vector(flat(made.b), 4)] },
       { cells: ["p", vector(flat(sub(made.b, made.a)), 4)], mark: "winner" },
       ...(apart === null ? [] : [{ cells: ["distance of A and the moved B", Math.abs(apart) < 1e-12 ? 0 : apart] }])] },
+    handles: ["slide"],
     says: `The point ${vector(flat(sub(made.b, made.a)), 3)} of the outline, after ${passed.length} of ${shape.length} corners.`,
     draw(d) {
       drawBodies(d, state.q);
@@ -100,15 +101,15 @@ export const minkowski: Lesson = {
     "Take every point of B minus every point of A. The result is one convex shape, and it contains the origin exactly when A and B " +
     "have a point in common. Move B and watch the difference move with it.",
   dimension: 2,
-  view: { center: [1.2, -2], reach: 5.2 },
+  view: { center: [1.2, -2.05], reach: 5.6 },
   start: situation([2.9, 0.9], 0.5),
   choices: [{ key: "what", label: "Show", options: [{ value: "difference", label: "difference B ⊖ A" }, { value: "sum", label: "sum A ⊕ B" }] }],
   handles(s): Handle[] {
     const c = s.choice ?? {}, outline = ask(asked(s)).trace.difference ?? [];
     return [
-      ...(outline.length > 0 ? [{ id: "slide", label: "Slide B round A", kind: "move" as const, meaning: "made" as const, at: place(pointAt(outline, slideOf(s))) }] : []),
+      ...(outline.length > 0 ? [{ id: "slide", label: "Slide B round A", kind: "move" as const, meaning: "made" as const, named: true, at: place(pointAt(outline, slideOf(s))) }] : []),
       moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b),
-      { id: "direction", label: "Turn the direction", kind: "turn", meaning: "axis", at: add(home, scale(unit([Number(c.x), Number(c.y)]), 2.3)) },
+      { id: "direction", label: "Turn the direction", kind: "turn", meaning: "axis", named: true, at: add(home, scale(unit([Number(c.x), Number(c.y)]), 2.3)) },
     ];
   },
   drag(s, id, to) {
@@ -181,6 +182,7 @@ export const minkowski: Lesson = {
       formula: [sum ? "s(d) = s_A(d) + s_B(d)" : "s(d) = s_B(d) - s_A(-d)", `s = [${made.map((x) => digits(x, 4)).join(", ")}]`],
       numbers: { caption: "Support points", columns: ["of", "point"], rows: [
         { cells: ["A", vector(a, 5)] }, { cells: ["B", vector(b, 5)] }, { cells: [word, vector(made, 5)], mark: "winner" }] },
+      handles: ["direction"],
       says: `Furthest along ${vector(u, 2)}: ${vector(made, 3)}.`,
       draw(d) {
         drawBodies(d, state.q);

@@ -125,7 +125,7 @@ export const spheres: Lesson = {
     ];
   },
   tryThis: [
-    { label: "Touch exactly", note: "3–4–5: the distance is zero, and touching counts as overlap.", state: situation(3 / 2, 1, [1.5, 2]) },
+    { label: "Touch exactly", note: "3–4–5: the distance is zero, and touching counts as overlap.", state: situation(3 / 2, 1, [2, 1.5]) },
     { label: "One inside the other", note: "The depth is more than the small ball's diameter.", state: situation(2, 0.4, [0.6, 0.2]) },
     { label: "A point against a ball", note: "A radius of nearly nothing is allowed.", state: situation(1.4, 0.05, [1.2, 0.9]) },
   ],

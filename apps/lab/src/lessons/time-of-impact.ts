@@ -83,7 +83,7 @@ export const timeOfImpact: Lesson = {
             ? (answer.hit ? "That is within the tolerance: this is the time of impact, and it was approached from before."
             : "However fast they close from here, the motion is over before they can touch: there is no impact.")
             : (i === 0 ? `A moves along n at v·n = ${digits(speed, 4)}. Turning adds at most |ω| times a point's lever, and in all no more than brings A out to the circle round its centre that it never leaves. ` : `v·n is ${digits(speed, 4)}. `) +
-              `They close at no more than u = ${digits(s.distance / wait, 5)} on average, what turning can add included: for ${digits(wait, 4)} nothing can touch. Advance by that and measure again.`),
+              `They close at no more than u = ${digits(s.distance / wait, 5)} on average, with what turning adds or takes away: for ${digits(wait, 4)} nothing can touch. Advance by that and measure again.`),
           formula: last ? [`t_${i + 1} = ${digits(s.t, 8)}`, `d_${i + 1} = ${digits(s.distance, 5)}`]
             : [`t_${i + 2} = t_${i + 1} + frac(d_${i + 1}, u)`, `t_${i + 2} = ${digits(s.t, 6)} + frac(${digits(s.distance, 5)}, ${digits(s.distance / wait, 5)}) = ${digits(list[i + 1].t, 8)}`],
           numbers: { caption: "Conservative advancement", columns: ["step", "time", "distance"],

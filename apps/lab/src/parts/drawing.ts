@@ -38,6 +38,8 @@ export interface Handle {
   at: Vec;
   /** The sign that stands on it in place of that of its kind. */
   sign?: string;
+  /** Only in the steps that name it: in others nothing that is drawn follows it. */
+  named?: boolean;
 }
 
 export interface View {

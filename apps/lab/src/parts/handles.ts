@@ -2,6 +2,7 @@
 
 import { h } from "./dom.ts";
 import type { Handle } from "./drawing.ts";
+import type { LabelPlaces } from "./labels.ts";
 import type { Vec } from "../question.ts";
 
 export interface Projection {
@@ -56,6 +57,12 @@ export class Handles {
       const style = this.buttons.get(handle.id)!.style;
       style.transform = `translate(${x}px, ${y}px)`;
     }
+  }
+
+  /** Keeps labels off the handles. */
+  keepFree(places: LabelPlaces): void {
+    const half = matchMedia("(pointer: coarse)").matches ? 21 : 16; // as the style sheet has it
+    for (const handle of this.handles) places.keep(this.projection.toScreen(handle.at), half);
   }
 
   private at(id: string): Vec {

@@ -12,14 +12,23 @@ function element(tag: string, ...children: (Node | string)[]): Element {
   return made;
 }
 
+/** A narrow space. */
+const thin = "\u2009";
 const operators: Record<string, string> = {
-  "<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−", "*": "·", "·": "·", "×": "×", "⊕": "⊕", "⊖": "⊖",
+  "<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−", "*": "·", "·": "·", "×": "×", "⊕": "⊕", "⊖": "⊖", "&": `${thin}&${thin}`,
 };
 const names: Record<string, string> = {
-  theta: "θ", mu: "μ", omega: "ω", sum: "∑", in: "∈", pi: "π", infinity: "∞", max: "max", min: "min", conv: "conv",
-  and: "and", or: "or",
+  theta: "θ", mu: "μ", omega: "ω", sum: "∑", in: "∈", pi: "π", infinity: "∞",
 };
+const functions = /^(max|min|conv)$/;
 const token = /\s*("[^"]*"|[0-9]+(?:\.[0-9]+)?(?:e[−-]?[0-9]+)?|<=|>=|!=|->|[A-Za-z]+|[^\s])/y;
+
+/** Brackets grow with fractions alone: beside an index they would be twice as high as what they hold. */
+function bracketed(open: string, inside: Element, close: string): Element {
+  const signs = [open, close].map((sign) => element("mo", sign));
+  if (!inside.querySelector("mfrac")) for (const sign of signs) sign.setAttribute("stretchy", "false");
+  return element("mrow", signs[0], inside, signs[1]);
+}
 
 export function formula(text: string): Element {
   const tokens: string[] = [];
@@ -52,16 +61,18 @@ export function formula(text: string): Element {
       at++;
       return element("msqrt", argument());
     }
-    if (word === "(") return element("mrow", element("mo", "("), group(")"), element("mo", ")"));
-    if (word === "[") return element("mrow", element("mo", "("), group("]"), element("mo", ")"));
+    if (word === "(") return bracketed("(", group(")"), ")");
+    if (word === "[") return bracketed("(", group("]"), ")");
     if (word === "{") return group("}");
-    if (word === "|") return element("mrow", element("mo", "|"), group("|"), element("mo", "|"));
-    if (names[word]) return element(/^(max|min|and|or|conv)$/.test(word) ? "mtext" : "mi", names[word]);
+    if (word === "|") return bracketed("|", group("|"), "|");
+    if (/^(and|or)$/.test(word)) return element("mtext", `\u00a0${word}\u00a0`);
+    if (functions.test(word)) return element("mtext", word);
+    if (names[word]) return element("mi", names[word]);
     if (/^[A-Za-zα-ω]/.test(word)) return element("mi", word);
     return element("mo", operators[word] ?? word);
   }
   function scripted(): Element {
-    const base = atom();
+    const named = functions.test(tokens[at]), base = atom();
     let below: Element | undefined, above: Element | undefined;
     while (tokens[at] === "_" || tokens[at] === "^") {
       const kind = tokens[at++];
@@ -69,9 +80,9 @@ export function formula(text: string): Element {
       if (kind === "_") below = script;
       else above = script;
     }
-    if (below && above) return element("msubsup", base, below, above);
-    if (below) return element("msub", base, below);
-    return above ? element("msup", base, above) : base;
+    const made = below && above ? element("msubsup", base, below, above)
+      : below ? element("msub", base, below) : above ? element("msup", base, above) : base;
+    return named && tokens[at] !== "(" ? element("mrow", made, element("mtext", thin)) : made;
   }
 
   const math = element("math");

@@ -3,6 +3,7 @@
 import { h, svg } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Handles } from "./handles.ts";
+import { LabelPlaces } from "./labels.ts";
 import { outlines, type Outline } from "./outline.ts";
 import { add, length, scale, sub, unit } from "./vec.ts";
 import type { Vec } from "../question.ts";
@@ -26,6 +27,9 @@ export class Stage2 implements Stage, Drawing {
   private moved = false;
   private size: [number, number] = [600, 480];
   private layers: SVGElement[] = [];
+  private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
+  /** The pixels of the points that are drawn, and their radii. */
+  private dots: { at: [number, number]; radius: number }[] = [];
   private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
   private lit: string | null = null;
 
@@ -112,10 +116,22 @@ export class Stage2 implements Stage, Drawing {
     this.layers = Array.from({ length: 4 }, () => svg("g"));
     this.picture.setAttribute("viewBox", `0 0 ${this.size[0]} ${this.size[1]}`);
     this.picture.setAttribute("aria-label", says);
+    this.texts = [];
+    this.dots = [];
     paint(this);
     this.picture.replaceChildren(hatches(), this.grid(), ...this.layers);
     this.handles.show(handles);
+    this.placeTexts();
     this.light(this.lit);
+  }
+  private placeTexts(): void {
+    const places = new LabelPlaces(this.size);
+    this.handles.keepFree(places);
+    for (const { at, radius } of this.dots) places.keep(at, radius);
+    for (const { at, text, meaning } of this.texts) {
+      const { left, bottom } = places.place(this.pixel(at), text);
+      this.layers[3].append(svg("text", { x: left, y: bottom - 4, class: `of-${meaning}` }, text));
+    }
   }
 
   private grid(): SVGElement {
@@ -155,8 +171,9 @@ export class Stage2 implements Stage, Drawing {
     if (look?.label) this.label(body.translation ?? [0, 0], look, meaning);
   }
   point(at: Vec, meaning: Meaning, look?: Look): void {
-    const [cx, cy] = this.pixel(at);
-    this.layers[2].append(svg("circle", { ...this.attributes(meaning, look), cx, cy, r: look?.wide ? 6 : 4 }));
+    const [cx, cy] = this.pixel(at), r = look?.wide ? 6 : 4;
+    this.layers[2].append(svg("circle", { ...this.attributes(meaning, look), cx, cy, r }));
+    this.dots.push({ at: [cx, cy], radius: r });
     this.label(at, look, meaning);
   }
   line(from: Vec, to: Vec, meaning: Meaning, look?: Look): void {
@@ -184,8 +201,7 @@ export class Stage2 implements Stage, Drawing {
     if (look?.label) this.label(scale(points.reduce((s, p) => add(s, p), [0, 0]), 1 / points.length), look, meaning);
   }
   text(at: Vec, text: string, meaning: Meaning): void {
-    const [x, y] = this.pixel(at);
-    this.layers[3].append(svg("text", { x: x + 8, y: y - 8, class: `of-${meaning}` }, text));
+    this.texts.push({ at, text, meaning });
   }
 
   private panAndZoom(): void {

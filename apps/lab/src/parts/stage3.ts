@@ -9,11 +9,14 @@ import { h } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Crowd } from "./crowd.ts";
 import { Handles } from "./handles.ts";
+import { LabelPlaces } from "./labels.ts";
 import { color, onTheme } from "./theme.ts";
 import { solidOf, type Solid } from "./solid.ts";
 import { length, sub, toWorld } from "./vec.ts";
 import type { Body, Vec } from "../question.ts";
 
+/** The angle that is seen of the lesser of width and height, in degrees. */
+const fieldOfView = 40;
 const v3 = (p: Vec): THREE.Vector3 => new THREE.Vector3(p[0], p[1], p[2] ?? 0);
 
 export class Stage3 implements Stage, Drawing {
@@ -32,7 +35,7 @@ export class Stage3 implements Stage, Drawing {
   private readonly labels = h("div", { class: "labels", "aria-hidden": "true" });
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
-  private readonly eye = new THREE.PerspectiveCamera(40, 1, 0.01, 5000);
+  private readonly eye = new THREE.PerspectiveCamera(fieldOfView, 1, 0.01, 5000);
   private readonly controls: OrbitControls;
   private readonly handles: Handles;
   private readonly observer: ResizeObserver;
@@ -44,6 +47,8 @@ export class Stage3 implements Stage, Drawing {
   private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
   private picks: THREE.Object3D[] = [];
   private dots: { at: Vec; key: string }[] = [];
+  /** The places of points that are drawn big. */
+  private spots: Vec[] = [];
   private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
   private lit: string | null = null;
   private waiting = 0;
@@ -80,6 +85,8 @@ export class Stage3 implements Stage, Drawing {
       this.size = [frame.width, frame.height];
       this.renderer.setSize(frame.width, frame.height, false);
       this.eye.aspect = frame.width / frame.height;
+      // What is seen of the height in a wide picture is seen of the width in a narrow one.
+      this.eye.fov = (360 / Math.PI) * Math.atan(Math.tan((fieldOfView * Math.PI) / 360) / Math.min(1, this.eye.aspect));
       this.eye.updateProjectionMatrix();
       this.request();
     });
@@ -114,7 +121,7 @@ export class Stage3 implements Stage, Drawing {
     const from = v3(view.flat ? [0, 0, 1] : (view.from ?? [0.55, 0.5, 1])).normalize();
     this.lieFlat(view.flat ?? false);
     this.controls.target.copy(center);
-    this.eye.position.copy(center).addScaledVector(from, (view.reach * 1.15) / Math.tan((20 * Math.PI) / 180));
+    this.eye.position.copy(center).addScaledVector(from, (view.reach * 1.15) / Math.tan((fieldOfView * Math.PI) / 360));
     this.eye.near = view.reach / 200;
     this.eye.far = view.reach * 400;
     this.eye.updateProjectionMatrix();
@@ -216,6 +223,7 @@ export class Stage3 implements Stage, Drawing {
     dot.renderOrder = 3;
     this.drawn.add(dot);
     if (look?.key !== undefined) this.dots.push({ at, key: look.key });
+    if (look?.wide) this.spots.push(at);
     if (look?.label) this.texts.push({ at, text: look.label, meaning });
   }
   line(from: Vec, to: Vec, meaning: Meaning, look: Look = {}): void {
@@ -271,6 +279,7 @@ export class Stage3 implements Stage, Drawing {
     this.texts = [];
     this.picks = [];
     this.dots = [];
+    this.spots = [];
   }
   /** Discards the last picture once the next one is there: its materials' programs, which take tens of milliseconds to
    *  compile, live as long as a material uses them. */
@@ -324,11 +333,18 @@ export class Stage3 implements Stage, Drawing {
       this.renderer.render(this.scene, this.eye);
       this.discard();
       this.handles.place();
-      this.texts.forEach(({ at }, i) => {
-        const [x, y] = this.pixel(at);
-        const label = this.labels.children[i] as HTMLElement | undefined;
-        if (label) label.style.transform = `translate(${x + 6}px, ${y - 22}px)`;
-      });
+      this.placeTexts();
+    });
+  }
+  private placeTexts(): void {
+    if (this.texts.length === 0) return;
+    const places = new LabelPlaces(this.size);
+    this.handles.keepFree(places);
+    for (const at of this.spots) places.keep(this.pixel(at), 6);
+    this.texts.forEach(({ at, text }, i) => {
+      const { left, top } = places.place(this.pixel(at), text);
+      const label = this.labels.children[i] as HTMLElement | undefined;
+      if (label) label.style.transform = `translate(${left}px, ${top}px)`;
     });
   }
 

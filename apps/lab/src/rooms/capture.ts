@@ -94,8 +94,9 @@ export class CaptureRoom implements Room {
     this.element = h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, name), this.intro),
       h("div", { class: "choices" }, ...shootingButtons((kind) => this.takeAim(kind))),
+      this.trouble,
       h("div", { class: "board workbench" }, left,
-        h("div", { class: "picture" }, this.stage.element, fold("time", "Time", this.timeline.element, this.counter), this.trouble, handle, this.layers.element,
+        h("div", { class: "picture" }, this.stage.element, fold("time", "Time", this.timeline.element, this.counter), handle, this.layers.element,
           h("p", { class: "actions" }, button("Open this frame as a scene", () => this.open(onScene)))),
         side));
     const moment = { ...start, ...parse<Partial<Moment>>(origin.at, {}, isMoment) };

@@ -28,7 +28,7 @@ export class LessonRoom implements Room {
   private readonly history: History<State>;
   private stage!: Stage;
   private dimension: 2 | 3 | null = null;
-  private readonly place = h("div", {});
+  private readonly place = h("div", { class: "place" });
   private readonly table = new Table();
   private readonly timeline = new Timeline((step) => this.go(step), "step", 900, () => this.remember());
   private readonly still = whenStill(() => this.remember());
@@ -161,7 +161,8 @@ export class LessonRoom implements Room {
     formulas.forEach(fit);
     this.table.show(step.numbers);
     this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
-    this.stage.draw((drawing) => step.draw(drawing), this.lesson.handles(this.state), step.says);
+    const handles = this.lesson.handles(this.state).filter(({ id, named }) => !named || step.handles?.includes(id));
+    this.stage.draw((drawing) => step.draw(drawing), handles, step.says);
   }
 
   private page(): HTMLElement {
@@ -179,7 +180,7 @@ export class LessonRoom implements Room {
         h("h1", {}, lesson.question),
         h("p", { class: "intro" }, lesson.intro)),
       h("div", { class: "board" },
-        h("div", { class: "picture" }, this.choices, this.place, this.timeline.element, this.trouble),
+        h("div", { class: "picture" }, this.choices, this.trouble, this.place, this.timeline.element),
         h("div", { class: "side" }, this.words, this.plot, this.table.element)),
       h("div", { class: "more" },
         h("section", {}, h("h2", {}, "Try this"), h("ul", {}, ...lesson.tryThis.map(example)),

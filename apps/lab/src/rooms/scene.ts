@@ -311,12 +311,13 @@ export class SceneRoom implements Room {
         this.catalogue.element, ...this.source.elements,
         ...shootingButtons(takeAim),
         ...this.settings.elements),
+      this.trouble,
       h("div", { class: "board workbench" }, left,
         h("div", { class: "picture" }, this.stage.element,
           fold("time", "Time", h("div", { class: "timeline", role: "group", "aria-label": "Time" },
             button("Step back", () => this.play.back(), { "data-back": true }), this.toggle,
             button("One step", () => this.play.step(), { "data-step": true }), button("Start again", () => this.begin()), this.settings.speed),
-            this.counter), this.trouble, handle, this.layers.element),
+            this.counter), handle, this.layers.element),
         side));
   }
 }

@@ -149,6 +149,6 @@ export class TraceSteps {
     this.back.disabled = this.step < 0;
     this.forward.disabled = this.step >= count - 1;
     this.words.textContent = this.step >= 0 ? `${this.step + 1} / ${count}. ${this.steps[this.step].words}`
-      : count > 0 ? `${count} steps` : this.answer?.error ?? `${this.answer?.trace.method}, no steps`;
+      : count > 0 ? `${count} steps` : this.answer ? this.answer.error ?? `${this.answer.trace.method}, no steps` : "";
   }
 }

@@ -5,7 +5,7 @@ import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { files, press, scene } from "./scene-page.mjs";
+import { beyond, drawn, files, press, scene, showsAxis } from "./scene-page.mjs";
 import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
 /** Fifteen boxes that fall into a heap: two seconds, as a program captures them, which names the floor. */
@@ -158,17 +158,22 @@ test("captures: the trace of the selected pair is drawn step by step, and stays 
   await page.click('[aria-label="Last frame"]');
   await page.locator(".numbers button.choose", { hasText: /box \d+ × box/ }).first().click();
   const asked = JSON.parse(await page.inputValue("textarea")), said = () => page.textContent(".trace-steps output");
-  const drawn = () => page.evaluate(() => window.lab.stage.drawn.children.length), plain = await drawn();
+  const plain = await drawn(page);
   const { trace } = JSON.parse(query(JSON.stringify({ ...asked, explain: true })));
   await page.selectOption("[data-explained]", "contacts");
   const count = trace.axes.length + trace.gjk.length + trace.epa.length + (trace.cuts ?? []).length;
   assert.equal(await said(), `${count} steps`);
   await page.click("[data-trace-next]");
   assert.equal(await said(), `1 / ${count}. Axis ${trace.axes[0].name}: ${trace.axes[0].overlap >= 0 ? "overlap" : "gap"} ${short(Math.abs(trace.axes[0].overlap), 5)}`);
-  assert.ok((await drawn()) > plain, "nothing is drawn");
+  showsAxis(beyond(await drawn(page), plain).lines, trace.axes[0]);
   if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-trace.png"), fullPage: true });
   await page.click('[aria-label="Previous frame"]');
   assert.match(await said(), /^1 \/ \d+\. Axis A0: /);
+  // The picture of the same step is that of the pair where it stands in this frame.
+  const earlier = JSON.parse(query(JSON.stringify({ ...JSON.parse(await page.inputValue("textarea")), explain: true }))).trace, stepped = await drawn(page);
+  assert.notDeepEqual(earlier.axes[0], trace.axes[0]);
+  await page.click("[data-trace-back]");
+  showsAxis(beyond(stepped, await drawn(page)).lines, earlier.axes[0]);
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });

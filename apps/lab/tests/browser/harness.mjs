@@ -6,6 +6,7 @@
 //   JOBS=number                       how many run at once
 //   SCREENSHOTS=folder                pictures of every lesson, light, dark and as a phone shows it
 
+import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -43,13 +44,20 @@ export const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
-export const axe = readFileSync(join(here, "node_modules/axe-core/axe.min.js"), "utf8");
+const axe = readFileSync(join(here, "node_modules/axe-core/axe.min.js"), "utf8");
+/** Checks that axe finds nothing on a page that was visited with `axe`. */
+export async function accessible(page, look = "light") {
+  const { violations } = await page.evaluate(() => window.axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"] }));
+  assert.deepEqual(violations.map((v) => `${look} ${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3)}`), []);
+}
 
-/** Opens a page of the lab; `files` lie beside it, by their names, as `graze view` serves them: bytes, or a function
- *  for the answer to each request. */
+/** Opens a page of the lab, with axe in it if `axe` says so; `files` lie beside it, by their names, as `graze view` serves
+ *  them: bytes, or a function for the answer to each request. */
 export async function visit(hash, { files = {}, ...options } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, bypassCSP: options.bypassCSP ?? false, ...options });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  context.setDefaultTimeout(120_000); // on a machine whose processors have ten times as much to do, a page takes half a minute
   const page = await context.newPage();
+  if (options.axe) await page.addInitScript(axe);
   page.trouble = [];
   page.on("console", (m) => m.type() === "error" && page.trouble.push(m.text()));
   page.on("pageerror", (e) => page.trouble.push(e.message));
@@ -62,6 +70,26 @@ export async function visit(hash, { files = {}, ...options } = {}) {
   await frame(page);
   return page;
 }
+const idle = [];
+/** Runs a test on a page that went through other tests before: to load the library and its shaders anew takes two seconds
+ *  of a processor. The page enters a lesson as a reader does who comes from the list of all. A page on which a test failed
+ *  is not used again. */
+export async function onLesson(hash, look) {
+  const page = idle.pop() ?? (await visit("", { ...small, axe: true }));
+  await goTo(page, hash);
+  await look(page);
+  assert.deepEqual(page.trouble, []);
+  idle.push(page);
+}
+/** Goes to a lesson from the list of all, so that it starts anew. */
+export async function goTo(page, hash) {
+  for (const [address, there] of [["#/", () => document.querySelector("article.home") !== null], [hash, (id) => window.lab.lesson?.id === id]]) {
+    await page.evaluate((to) => (location.hash = to), address);
+    await page.waitForFunction(there, hash.split("/").at(-1));
+  }
+  await frame(page);
+}
+
 /** Tests wait for frames most of the time: several pages at once take a fraction of it. */
 const atOnce = Number(process.env.JOBS ?? 4);
 const tests = [];
@@ -96,6 +124,28 @@ export const numbers = (page) =>
 /** Cells of a table's head that say nothing to whoever hears them. */
 export const bareColumns = (page) =>
   page.$$eval("thead tr > *", (list) => list.filter((cell) => cell.tagName !== "TH" || !cell.textContent.trim()).map((cell) => cell.closest("table").caption.textContent));
+
+/** Labels of the drawing that are cut, lie on another one, or below a handle; and handles outside of it. */
+export async function unseen(page) {
+  await frame(page);
+  return page.evaluate(() => {
+    const frameOf = (element) => element.getBoundingClientRect(), stage = frameOf(document.querySelector(".stage"));
+    const inside = ({ left, top, right, bottom }) => left >= stage.left - 1 && right <= stage.right + 1 && top >= stage.top - 1 && bottom <= stage.bottom + 1;
+    const outside = ({ left, top, right, bottom }) => right < stage.left || left > stage.right || bottom < stage.top || top > stage.bottom;
+    const labels = [...document.querySelectorAll(".stage2 > svg > g:not(.grid) text, .labels span")].filter((label) => !outside(frameOf(label)));
+    const others = [...labels, ...document.querySelectorAll(".handle")];
+    /** A line of a font is higher than its letters: two pixels of it may overlap, and a little of a letter's width. */
+    const meet = (p, q) => Math.min(p.right, q.right) - Math.max(p.left, q.left) > 2 && Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top) > 4;
+    const name = (element) => element.dataset.handle ?? element.textContent;
+    const lost = [...document.querySelectorAll(".handle")].filter((handle) => {
+      const { left, top, right, bottom } = frameOf(handle), [x, y] = [(left + right) / 2, (top + bottom) / 2];
+      return x < stage.left || x > stage.right || y < stage.top || y > stage.bottom;
+    });
+    return lost.map((handle) => `${name(handle)} is outside`).concat(labels.flatMap((label, i) => [
+      ...(inside(frameOf(label)) ? [] : [`${name(label)} is cut`]),
+      ...others.slice(i + 1).filter((other) => meet(frameOf(label), frameOf(other))).map((other) => `${name(label)} and ${name(other)}`)]));
+  });
+}
 
 /** Here a processor draws in place of a graphics card: fewer pixels, less time. */
 export const small = { viewport: { width: 1000, height: 600 } };

@@ -19,3 +19,47 @@ export async function lightsUp(page) {
   await page.waitForTimeout(200);
   assert.notDeepEqual(await picture.screenshot(), plain);
 }
+
+/** Lines and points of the picture, as they were handed to the graphics card: their ends, their places. */
+export const drawn = (page) =>
+  page.evaluate(() => {
+    const { children } = window.lab.stage.drawn, lines = [];
+    for (const { geometry } of children.filter((x) => x.isLineSegments2)) {
+      const ends = geometry.attributes.instanceStart.data.array;
+      for (let i = 0; i < ends.length; i += 6) lines.push([[...ends.slice(i, i + 3)], [...ends.slice(i + 3, i + 6)]]);
+    }
+    return { lines, points: children.filter((x) => x.isSprite).map((x) => x.position.toArray()) };
+  });
+/** What one picture has beyond another. */
+export function beyond(more, less) {
+  const added = (list, others) => {
+    const left = others.map(String);
+    return list.filter((x) => !left.includes(String(x)) || (left.splice(left.indexOf(String(x)), 1), false));
+  };
+  return { lines: added(more.lines, less.lines), points: added(more.points, less.points) };
+}
+const dot = (p, q) => p.reduce((sum, x, i) => sum + x * q[i], 0);
+/** Positions have 24 bits in a graphics card. */
+const within = 1e-5;
+const same = (p, q) => p.every((x, i) => Math.abs(x - q[i]) < within);
+/** Checks that lines are those of an axis: the intervals of A and B along it, beside each other, and between them the
+ *  overlap or the gap, from where A ends to where B begins. */
+export function showsAxis(lines, { name, direction, a, b, overlap }) {
+  const along = (line) => line.map((end) => dot(end, direction)), between = [a[1], b[0]].sort((x, y) => x - y);
+  assert.equal(lines.length, 3, `${name}: ${lines.length} lines`);
+  for (const [from, to] of lines) {
+    const length = Math.hypot(...to.map((x, i) => x - from[i]));
+    assert.ok(Math.abs(Math.abs(dot(to, direction) - dot(from, direction)) - length) < within, `${name}: a line leaves the axis`);
+  }
+  for (const interval of [a, b, between]) assert.ok(lines.some((line) => same(along(line).sort((x, y) => x - y), interval)), `${name}: no line from ${interval[0]} to ${interval[1]}, but ${lines.map(along)}`);
+  assert.ok(Math.abs(between[1] - between[0] - Math.abs(overlap)) < within);
+}
+/** Checks that a picture has the last cut of a trace: the line along which it goes, the polygon that is left with its
+ *  corners, and both faces. */
+export function showsCut({ lines, points }, { cuts, faces }) {
+  const { from, to, left } = cuts.at(-1), sides = (polygon) => polygon.map((corner, i) => [corner, polygon[(i + 1) % polygon.length]]);
+  const edges = [[from, to], ...sides(left), ...sides(faces.a), ...sides(faces.b)];
+  assert.deepEqual([lines.length, points.length], [edges.length, left.length]);
+  for (const edge of edges) assert.ok(lines.some((line) => edge.every((end, i) => same(end, line[i]))), `no line ${edge}`);
+  for (const corner of left) assert.ok(points.some((point) => same(corner, point)), `no point ${corner}`);
+}

@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { lightsUp, press, scene } from "./scene-page.mjs";
-import { axe, drag, frame, query, short, shown, small, test, visit } from "./harness.mjs";
+import { beyond, drawn, files, lightsUp, press, scene, showsAxis, showsCut } from "./scene-page.mjs";
+import { accessible, drag, frame, query, short, shown, small, test, visit } from "./harness.mjs";
 
 test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
   const page = await scene("heavy");
@@ -127,8 +127,7 @@ test("viewer: the question whose answer is explained is chosen, and the address 
   const listed = () => page.$$eval("[data-explained] option", (list) => list.map((x) => x.value));
   assert.deepEqual(await listed(), ["overlap", "distance", "contacts"]);
   assert.equal(await page.inputValue("[data-explained]"), "distance");
-  const drawn = () => page.evaluate(() => window.lab.stage.drawn.children.length);
-  const plain = await drawn();
+  const plain = await drawn(page);
   for (const name of ["overlap", "distance", "contacts"]) {
     await page.selectOption("[data-explained]", name);
     const margin = name === "contacts" ? asked.margin : undefined;
@@ -140,13 +139,20 @@ test("viewer: the question whose answer is explained is chosen, and the address 
     const last = cuts.length ? `Cut ${cuts.length} of the face: ${cuts.at(-1).left.length} corners are left` : `Axis ${axes.at(-1).name}: `;
     assert.ok((await page.textContent(".trace-steps output")).startsWith(`${count} / ${count}. ${last}`), await page.textContent(".trace-steps output"));
     assert.ok(await page.isDisabled("[data-trace-next]"));
-    assert.ok((await drawn()) > plain, `${name} draws nothing`);
+    const added = beyond(await drawn(page), plain);
+    if (cuts.length) showsCut(added, trace);
+    else showsAxis(added.lines, axes.at(-1));
+    await press(page, "[data-trace-back]", count - 1);
+    showsAxis(beyond(await drawn(page), plain).lines, axes[0]);
+    await press(page, "[data-trace-next]", count - 1);
     if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, `viewer-explains-${name}.png`) });
   }
   const said = await page.textContent(".trace-steps output");
   const other = await visit(await page.evaluate(() => location.hash), small);
   assert.equal(await other.inputValue("[data-explained]"), "contacts");
   assert.equal(await other.textContent(".trace-steps output"), said);
+  const [there, here] = [await drawn(other), await drawn(page)];
+  for (const part of ["lines", "points"]) assert.deepEqual(there[part].map(String).sort(), here[part].map(String).sort(), "another picture");
   for (const one of [page, other]) {
     assert.deepEqual(one.trouble, []);
     await one.context().close();
@@ -249,15 +255,13 @@ test("viewer: bodies to the left, properties to the right, time below; what is f
 
 test("viewer has no finding of axe, and fits a phone", async () => {
   for (const colorScheme of ["light", "dark"]) {
-    const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });
+    const page = await visit("#/scene?scene=tower", { axe: true, colorScheme, viewport: { width: 390, height: 844 } });
     await page.click("[data-step]");
     await page.click("[data-step]");
     assert.equal(await page.isVisible("#drawer"), false, "the drawing is not alone on a phone");
     await page.click(".drawer-handle");
     assert.ok(await page.isVisible("#drawer") && (await page.getAttribute(".drawer-handle", "aria-expanded")) === "true");
-    await page.evaluate(axe);
-    const found = await page.evaluate(() => window.axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"] }));
-    assert.deepEqual(found.violations.map((v) => `${colorScheme} ${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3)}`), []);
+    await accessible(page, colorScheme);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
     await page.context().close();
   }
@@ -332,5 +336,36 @@ test("viewer: bodies have the colours of another theme at once", async () => {
   await page.selectOption('[data-body="0"]', "");
   await frame(page);
   assert.deepEqual(await picture(), dark);
+  await page.context().close();
+});
+
+test("viewer: what is wrong with a file is seen at once, and nothing is explained without a selection", async () => {
+  for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+    const page = await visit("#/scene?scene=heavy", { viewport });
+    if (viewport.width < 600) await page.click(".drawer-handle");
+    assert.equal(await page.isVisible(".trace-steps"), false);
+    assert.equal(await page.textContent(".trace-steps output"), "");
+    await page.setInputFiles("input[type=file]", { name: "broken.gltf", mimeType: "model/gltf+json", buffer: Buffer.from("{") });
+    await page.waitForSelector(".trouble:not([hidden])");
+    const { top, bottom } = await page.$eval(".trouble", (x) => x.getBoundingClientRect().toJSON());
+    assert.ok(top >= 0 && bottom <= viewport.height, `from ${top} to ${bottom} of ${viewport.height} pixels`);
+    await page.context().close();
+  }
+});
+
+test("viewer: a narrow picture shows the whole scene", async () => {
+  const page = await visit("#/scene", { viewport: { width: 390, height: 844 } });
+  await page.setInputFiles("input[type=file]", join(files, "demo.gltf"));
+  await page.waitForFunction(() => window.lab.shown.bodies === 17);
+  await frame(page);
+  const outside = await page.evaluate(() => {
+    const { stage, play: { run, scene } } = window.lab, { width, height } = document.querySelector(".stage3 canvas").getBoundingClientRect();
+    if (width >= height) throw new Error("the picture is not narrow");
+    const corners = ({ lower, upper }) => [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [0, 1, 2].map((i) => ((k >> i) & 1 ? upper[i] : lower[i])));
+    const seen = ([x, y]) => x >= 0 && x <= width && y >= 0 && y <= height;
+    return scene.bodies.filter((_, i) => !corners(run.bounds(i, true)).every((corner) => seen(stage.pixel(corner)))).map(({ name }) => name);
+  });
+  assert.deepEqual(outside, []);
+  assert.deepEqual(page.trouble, []);
   await page.context().close();
 });
