@@ -38,7 +38,8 @@ auto at_limit(const S& held, const S& pressed, const ContactMaterial<S>& materia
   using T = typename LaneOf<S>::type;
   const S rest = material.static_friction * pressed, motion = material.dynamic_friction * pressed;
   const S rounding(T(0.001));
-  return (pressed > S(T(0))) & ((held >= rest - rest * rounding) | ((held >= motion - motion * rounding) & (held <= motion + motion * rounding)));
+  return (pressed > S(T(0))) & ((held >= rest - rest * rounding) |
+                                ((held >= motion - motion * rounding) & (held <= motion + motion * rounding)));
 }
 
 /// The part of the speed that gravity gives in a step up to which surfaces stick whatever their friction was. Measured: a
@@ -198,8 +199,7 @@ class FrictionRows<S, Space<S>> {
     const S su = slip_along(u_, belt_u_, bodies.a, bodies.b), sv = slip_along(v, belt_v_, bodies.a, bodies.b);
     const S fu = push_u_ - (mass_[0] * su + mass_[1] * sv), fv = push_v_ - (mass_[1] * su + mass_[2] * sv);
     const S needed = sqrt(fu * fu + fv * fv);
-    const S held =
-        select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
+    const S held = select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
     const Mask slides = active & (needed > held);
     const S limit = select(slow * slow < su * su + sv * sv, material.dynamic_friction * pressed, held);
     const S shorter = select(slides, least(S(1), limit / select(slides, needed, S(1))), S(1));
@@ -274,8 +274,7 @@ class FrictionRows<S, plane::Space<S>> {
     if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
     const S speed = slip(normal, bodies.a, bodies.b);
     const S needed = push_ - mass_ * speed;
-    const S held =
-        select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
+    const S held = select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
     const Mask slides = active & (abs_of(needed) > held);
     const S limit = select(slow < abs_of(speed), material.dynamic_friction * pressed, held);
     const S push = select(active, select(slides, clamp(needed, -limit, limit), needed), push_);

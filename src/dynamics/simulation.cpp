@@ -321,7 +321,8 @@ void Simulation<T, Space>::move_to(BodyId id, const typename Space::Pose& pose, 
   if (!(dt > T(0)) || !std::isfinite(dt)) validate::fail("dt", "a finite number > 0", static_cast<double>(dt));
   const typename Space::Pose to = Space::checked(pose);
   SimulatedBody<T, Space>& body = parts_->bodies[index];
-  if (body.movable || !body.moves) validate::fail("body", "a kinematic one", body.moves ? "one with mass" : "a fixed one");
+  if (body.movable || !body.moves)
+    validate::fail("body", "a kinematic one", body.moves ? "one with mass" : "a fixed one");
   const typename Space::Vec center = to.translation + rotate(to.rotation, body.mass.principal.translation);
   const typename Space::Vec linear = (center - body.free.center) / dt;
   const auto spin = turning_between(parts_->world.bodies().poses()[index].rotation, to.rotation, dt);

@@ -115,7 +115,7 @@ struct SimulationParts {
   IslandBody<T, Space> island_body(std::uint32_t index) const;
   void pass_blows_on(T dt);  // restitution.cpp
   void solve_islands(T dt);
-  void hold_back(T dt);     // continuous.cpp
+  void hold_back(T dt);                       // continuous.cpp
   bool is_carried(std::uint32_t link) const;  // sleep.cpp
   void put_to_sleep(T dt);                    // sleep.cpp
   void move_world();
