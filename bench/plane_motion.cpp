@@ -1,7 +1,7 @@
 // Casts, times of impact and rays in the plane, one at a time, beside Box2D.
 //
-// "Cast" is B moving without turning, "impact" B moving and turning, "ray" a ray along B's way from where B starts. Box2D's
-// casts stop a little before what they meet, by its slop.
+// "Cast" is B moving without turning, "impact" B moving and turning, "ray" a ray along B's way from where B starts.
+// Box2D's casts stop a little before what they meet, by its slop.
 #include <cstdio>
 
 #include "plane_box2d.hpp"

@@ -3,8 +3,8 @@
 // Pairs: numbers of PCG32 (seed 42, the first two thrown away). Of each shape h and w in [0.25, 1): circles of radius
 // h, capsules of half length h and radius w / 2, boxes of half sizes h and w (rounded ones by 0.1), polygons on
 // circles of radius h, each vertex up to a fifth of a step off; the centres so far apart that half the pairs overlap.
-// Stacked boxes stand edge on edge, up to 5 mm apart or deep and 0.01 rad tilted. Where something moves, B starts 4 m off on the line of centres, up to 1.8 m
-// beside it, and goes 8 m along that line; where it turns, by up to 0.7 rad.
+// Stacked boxes stand edge on edge, up to 5 mm apart or deep and 0.01 rad tilted. Where something moves, B starts 4 m
+// off on the line of centres, up to 1.8 m beside it, and goes 8 m along that line; where it turns, by up to 0.7 rad.
 #pragma once
 
 #include <cmath>

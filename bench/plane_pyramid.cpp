@@ -1,8 +1,8 @@
 // A pyramid of the plane beside Box2D: how long a step takes, and how still it stands.
 //
-// Boxes of 1 m and 1,000 kg/m² on a floor, those of a row 5 cm apart, each on two of the row below, friction 0.6, g = 10
-// m/s², 60 steps a second, nothing sleeps. Box2D takes 8 passes over velocities and 3 over positions, as it recommends.
-// Time is that of the processor; depths are measured alike, by Graze's contacts in double.
+// Boxes of 1 m and 1,000 kg/m² on a floor, those of a row 5 cm apart, each on two of the row below, friction 0.6, g =
+// 10 m/s², 60 steps a second, nothing sleeps. Box2D takes 8 passes over velocities and 3 over positions, as it
+// recommends. Time is that of the processor; depths are measured alike, by Graze's contacts in double.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

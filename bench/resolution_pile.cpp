@@ -43,8 +43,8 @@ std::string pile(const EngineKind& kind) {
 }
 
 /// The same pile twice, on one thread and on two, which take their steps in turns. Where others use the machine only
-/// the quickest steps tell what two threads gain: the ratio of the quickest tenths. The pile has fallen for a while when
-/// it begins.
+/// the quickest steps tell what two threads gain: the ratio of the quickest tenths. The pile has fallen for a while
+/// when it begins.
 std::string two_threads(const EngineKind& kind) {
   if (!kind.has_threads) return "-";
   constexpr int fallen = 120, measured = 60;

@@ -4,9 +4,9 @@
 //
 // The floor is the plane y = 0 within 5 of the origin, in the frame where it stands: at the origin, turned there, or
 // turned and far away. A body lies on it 0.5 to 20 mm deep, on a face or anyhow, in one of two poses just over a seam,
-// so that the least way out of a piece leads sideways. A row is a floor; of so many poses with each body it counts those
-// with a normal that is wrong by more than a milliradian, and those in which nothing touches, and names the bodies at
-// fault. Everything is a body of a `World`; compounds are one.
+// so that the least way out of a piece leads sideways. A row is a floor; of so many poses with each body it counts
+// those with a normal that is wrong by more than a milliradian, and those in which nothing touches, and names the
+// bodies at fault. Everything is a body of a `World`; compounds are one.
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -110,8 +110,8 @@ class GRAZE_API Simulation {
   void step(T dt);
 
   /// Applies an impulse at a point of the world, at once. Impulses, forces and torques do not move fixed or kinematic
-  /// bodies; all of them wake the body. Throws `InvalidValue` for what is not finite, or makes the body so fast that its
-  /// velocity is not.
+  /// bodies; all of them wake the body. Throws `InvalidValue` for what is not finite, or makes the body so fast that
+  /// its velocity is not.
   void apply_impulse(BodyId id, const Vec& impulse, const Vec& point);
   void apply_angular_impulse(BodyId id, const Turning& impulse);  ///< Applies an angular impulse, at once.
   /// Applies a force to the centre of mass throughout the next step.

@@ -196,8 +196,8 @@ template <class S, class Space>
 auto ManifoldRows<S, Space>::solve(std::span<Row> rows, const ContactStep<T>& step, bool bias, Bodies& bodies) -> Mask {
   Mask slides = S(T(0)) <= S(T(0));
   // A body that is put down slips in the sub-steps until its weight rests on the contact. Such slipping is not sliding:
-  // up to the speed that gravity gives in a step static friction stops what stuck or was apart before, or it would never
-  // be stopped where the dynamic one is too weak.
+  // up to the speed that gravity gives in a step static friction stops what stuck or was apart before, or it would
+  // never be stopped where the dynamic one is too weak.
   const S slow(step.gravity * step.time.step);
   for (int round = 0; round < sliding_rounds && any(slides); ++round) {
     solve_normals(rows, step, bias, slides, bodies);

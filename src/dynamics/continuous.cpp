@@ -3,10 +3,10 @@
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
 // the contact. `World::find_impacts` casts both of two that move, turning included, so that rods do not pass posts nor
-// bullets each other. A body that something fast strikes which no blow stops, a kinematic one, is carried along by it to
-// the end of the step. Bodies that hard joints hold together are held back together, at the first contact that any of
-// them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that lies
-// on something is held back together with the body that strikes it and would push it in.
+// bullets each other. A body that something fast strikes which no blow stops, a kinematic one, is carried along by it
+// to the end of the step. Bodies that hard joints hold together are held back together, at the first contact that any
+// of them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that
+// lies on something is held back together with the body that strikes it and would push it in.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -181,8 +181,8 @@ T holding_time(const SimulationParts<T, Space>& parts, const Impact<T, Space>& i
   return greatest(impact.hit.t, sunk ? *sunk : way > most ? dt * (most / way) : dt);
 }
 
-/// The velocities that take the bodies of a step from where it found them to where they are, which the world is given for
-/// casts; zero for what does not move.
+/// The velocities that take the bodies of a step from where it found them to where they are, which the world is given
+/// for casts; zero for what does not move.
 template <class T, class Space>
 std::vector<typename Space::Velocity> mean_velocities(SimulationParts<T, Space>& parts, T dt) {
   const auto alive = parts.world.bodies().alive();

@@ -42,8 +42,9 @@ auto at_limit(const S& held, const S& pressed, const ContactMaterial<S>& materia
                                 ((held >= motion - motion * rounding) & (held <= motion + motion * rounding)));
 }
 
-/// The part of the speed that gravity gives in a step up to which surfaces stick whatever their friction was. Measured: a
-/// resting cube that is pushed by 0.99 of what static friction holds rocks, and creeps by more than 0.02 of it meanwhile.
+/// The part of the speed that gravity gives in a step up to which surfaces stick whatever their friction was. Measured:
+/// a resting cube that is pushed by 0.99 of what static friction holds rocks, and creeps by more than 0.02 of it
+/// meanwhile.
 template <class T>
 constexpr T creeping = T(0.1);
 

@@ -15,8 +15,8 @@ T inverse(T value, const char* name, int index = -1) {
                  "a number > 0 with a finite inverse", static_cast<double>(value));
 }
 
-/// The part of a tensor's largest element by which rounding may make two elements differ that are one: half of the digits,
-/// since a tensor may have been turned and moved many times.
+/// The part of a tensor's largest element by which rounding may make two elements differ that are one: half of the
+/// digits, since a tensor may have been turned and moved many times.
 template <class T>
 constexpr T rounding = sizeof(T) == sizeof(float) ? T(4e-4) : T(2e-8);
 

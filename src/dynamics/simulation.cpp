@@ -34,7 +34,8 @@ void check_material(const MaterialIn<T, Space>& m) {
   checked_vector(m.surface_velocity, "surface_velocity");
 }
 
-/// Adds to a body's velocity and angular momentum. Throws `InvalidValue` for what makes it too fast, and changes nothing.
+/// Adds to a body's velocity and angular momentum. Throws `InvalidValue` for what makes it too fast, and changes
+/// nothing.
 template <class T, class Space>
 void push(SimulatedBody<T, Space>& body, const typename Space::Vec& linear, const typename Space::Turning& angular) {
   FreeBodyIn<Space> pushed = body.free;

@@ -1,5 +1,5 @@
-// Balls in a bowl: nothing but the solver's friction and damping of contacts brings to rest what can roll, and they rest
-// on triangles, edges and each other.
+// Balls in a bowl: nothing but the solver's friction and damping of contacts brings to rest what can roll, and they
+// rest on triangles, edges and each other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,7 +59,8 @@ TYPED_TEST(Bowl, TwentyBallsComeToRestInIt) {
   EXPECT_EQ(simulation.report().kinetic_energy, T(0));
   for (const BodyId ball : balls) {
     EXPECT_TRUE(simulation.asleep(ball));
-    // Inside: no centre is further from the bowl's centre than the sphere of the balls' centres, up to a contact's depth.
+    // Inside: no centre is further from the bowl's centre than the sphere of the balls' centres, up to a contact's
+    // depth.
     const Vec3<T> from_center = simulation.poses()[ball.index].translation - Vec3<T>{0, 3, 0};
     EXPECT_LT(length(from_center), T(3) - radius + T(0.005));
   }

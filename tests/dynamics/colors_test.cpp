@@ -1,5 +1,5 @@
-// Colours of contacts: what shares a body that can be pushed has different ones, and large islands have the same bits on
-// any threads, in space and in the plane.
+// Colours of contacts: what shares a body that can be pushed has different ones, and large islands have the same bits
+// on any threads, in space and in the plane.
 #include "dynamics/colors.hpp"
 
 #include <gtest/gtest.h>

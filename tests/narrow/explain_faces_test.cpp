@@ -1,5 +1,5 @@
-// The faces that contacts are told to stand on: each cut takes away what lies beyond its side and nothing else, and what
-// is left in the end has the points of contact for corners.
+// The faces that contacts are told to stand on: each cut takes away what lies beyond its side and nothing else, and
+// what is left in the end has the points of contact for corners.
 #include "narrow/explain_faces.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Whether the lanes of compilers without vector extensions give the bits of the scalar, alone and in the nodes of trees.
-// Without the library, which has other lanes.
+// Whether the lanes of compilers without vector extensions give the bits of the scalar, alone and in the nodes of
+// trees. Without the library, which has other lanes.
 #define GRAZE_PLAIN_LANES
 #include <cmath>
 #include <cstdint>

@@ -49,8 +49,9 @@ bool lies_on_feature(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& 
   EXPECT_EQ(feature.kind, corners.size() == 1   ? FeatureKind::vertex
                           : corners.size() == 2 ? FeatureKind::edge
                                                 : FeatureKind::face);
-  // A point counts as on an edge within a hundredth of the shortest edge, and as on a vertex where two edges are as near.
-  // A rounding lies around the core; where a side leans from the normal, by 60 degrees at most, the point is as far beside.
+  // A point counts as on an edge within a hundredth of the shortest edge, and as on a vertex where two edges are as
+  // near. A rounding lies around the core; where a side leans from the normal, by 60 degrees at most, the point is as
+  // far beside.
   constexpr double tolerance = 0.03;
   const double off = distance_to_feature(converted<double>(point), corners), rounding = double(shape.rounding());
   EXPECT_GE(off, rounding - 1e-4);
@@ -82,7 +83,8 @@ TYPED_TEST(Features, PointsOfContactLieOnTheCornersThatTheyName) {
   }
   EXPECT_EQ(seen[0], 0);
   for (std::size_t kind = 1; kind < 4; ++kind) EXPECT_GT(seen[kind], 300) << kind;
-  // Two edges that lead on almost straight are both near along their whole length: then the vertex between has the name.
+  // Two edges that lead on almost straight are both near along their whole length: then the vertex between has the
+  // name.
   EXPECT_LE(off[1], 3);
   EXPECT_EQ(off[2] + off[3], 0);
 }

@@ -16,8 +16,10 @@ export const files = join(here, "../../examples/scenes");
 export async function lightsUp(page) {
   const picture = await page.$(".stage3 canvas"), plain = await picture.screenshot();
   await page.hover(".numbers tbody tr:first-child");
-  await page.waitForTimeout(200);
-  assert.notDeepEqual(await picture.screenshot(), plain);
+  for (let waits = 0; (await picture.screenshot()).equals(plain); waits++) {
+    assert.ok(waits < 50, "the picture is as without");
+    await page.waitForTimeout(100);
+  }
 }
 
 /** Lines and points of the picture, as they were handed to the graphics card: their ends, their places. */
