@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 14472459264590208297u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 8756017461490191211u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 17321101557237036543u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 5229985301554578633u;
 
 }  // namespace graze::testing
 
