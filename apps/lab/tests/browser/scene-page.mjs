@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { here, small, visit } from "./harness.mjs";
+import { frame, here, small, visit } from "./harness.mjs";
 
 export const scene = (name) => visit(`#/scene?scene=${name}`, small);
 /** Presses a button so many times, without a look at the page in between. */
@@ -12,8 +12,11 @@ export const press = (page, button, times) =>
   }, [button, times]);
 export const files = join(here, "../../examples/scenes");
 
-/** Checks that contacts light up with their row: another picture than without. */
+/** Checks that contacts light up with their row: another picture than without. The window has room for both: to show one
+ *  by scrolling would take the mouse off the other. */
 export async function lightsUp(page) {
+  await page.setViewportSize({ width: small.viewport.width, height: 1400 });
+  await frame(page);
   const picture = await page.$(".stage3 canvas"), plain = await picture.screenshot();
   await page.hover(".numbers tbody tr:first-child");
   for (let waits = 0; (await picture.screenshot()).equals(plain); waits++) {
