@@ -25,7 +25,7 @@ threads=(libtbb-dev)
 bench=(libbenchmark-dev libcli11-dev libbullet-dev libode-dev libfcl-dev libccd-dev libbox2d-dev libeigen3-dev libembree-dev)
 
 # libFuzzer comes with clang; its runtime is only a recommendation of the clang package, hence named here. lld links what
-# has sanitizers in half the time.
+# has sanitizers in a fifth of the time.
 fuzz=(clang libclang-rt-14-dev lld)
 
 lint=(clang clang-format clang-tidy)

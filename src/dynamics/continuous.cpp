@@ -255,7 +255,7 @@ void SimulationParts<T, Space>::hold_back(T dt) {
   const std::vector<typename Space::Velocity> mean = mean_velocities(*this, dt);
   auto [first, ends, pushed] = find_meetings<T, Space>(*this, fast, mean, dt);
   if (std::none_of(ends.begin(), ends.end(), [&](T end) { return end < dt; })) return;
-  // What a body met may go on: the body stays in touch with the material point that it met, along the normal.
+  // The way of a body that stays in touch, along the normal, with the material point that it met, which goes on.
   const auto carried_by = [&, &ends = ends](const Meeting<T, Space>& meeting) {
     const std::uint32_t other = meeting.other;
     const typename Space::Vec center = found_at[other].translation + mean[other].linear * meeting.time;

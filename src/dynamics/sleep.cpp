@@ -43,8 +43,8 @@ void SimulationParts<T, Space>::wake_around(std::uint32_t index) {
   }
 }
 
-/// Whether the surface of one of a link's bodies runs under the other, which rests on it for no longer than it is
-/// still.
+/// Whether one of a link's bodies has a surface that runs, as a belt's does: it carries the other for as long as it is
+/// awake, however slowly.
 template <class T, class Space>
 bool SimulationParts<T, Space>::is_carried(std::uint32_t link) const {
   const ContactPair<T>* pair = contact_of(link);

@@ -81,6 +81,15 @@ TYPED_TEST(Impulse, WhatPartsIsLeftAlone) {
   }
 }
 
+/// A negative restitution, which would pull, gives no impulse at all.
+TYPED_TEST(Impulse, NothingPulls) {
+  using T = TypeParam;
+  const auto r = response<T>({{1, 0, 0}, {1, 0, 0}, T(-3), T(0.6)}, ball<T>(1, 1, {}, {2, T(0.5), 0}),
+                             ball<T>(2, 1, {2, 0, 0}, {}));
+  EXPECT_EQ(r.normal_impulse, T(0));
+  EXPECT_EQ(r.impulse, Vec3<T>{});
+}
+
 TYPED_TEST(Impulse, TwoImmovableBodiesGoOn) {
   using T = TypeParam;
   const auto r = response<T>({{}, {1, 0, 0}, T(1), T(0.6)}, {{{1, 0, 0}, {}, {}}, {}}, {{{-1, 0, 0}, {}, {}}, {}});
@@ -228,6 +237,11 @@ TEST(InverseMass, WhatIsNoneIsNamed) {
   EXPECT_EQ(path_of([&] { inverse_mass(1.0, Vec3d{1, 1, nan}); }), "inertia[2]");
   EXPECT_EQ(path_of([] { inverse_mass(1.0, Mat3d::diagonal({1, 1, -1})); }), "inertia");
   EXPECT_EQ(path_of([] { inverse_mass(1.0, Mat3d{}); }), "inertia");
+  Mat3d lopsided = Mat3d::diagonal({2, 2, 2});
+  lopsided.row[0].y = 1e-9;
+  EXPECT_EQ(path_of([&] { inverse_mass(1.0, lopsided); }), "accepted");
+  lopsided.row[0].y = 1;
+  EXPECT_EQ(path_of([&] { inverse_mass(1.0, lopsided); }), "inertia");
   EXPECT_EQ(path_of([] { inertia_of(Shaped(Rectangle<double>(1, 1)), 1.0); }), "shape");
 }
 

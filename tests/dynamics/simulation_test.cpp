@@ -143,8 +143,8 @@ TYPED_TEST(SimulationOf, StaticFrictionHoldsWhatDynamicLetsGo) {
   }
 }
 
-/// What rests moves once more than static friction pushes it, and from then on dynamic friction holds it back, however
-/// slowly it moves; what less pushes stays.
+/// A box that rests moves once more than static friction pushes it, and from then on dynamic friction holds it back;
+/// pushed by less, it stays.
 TYPED_TEST(SimulationOf, WhatBeginsToSlideSlides) {
   using T = TypeParam;
   Material<T> m;
