@@ -175,8 +175,9 @@ bench: ## measure, beside Bullet, ODE, FCL and Embree, and write bench/RESULTS.m
 bench-resolution: ## run the solver's table beside Bullet and ODE, and write bench/RESOLUTION.md (QUICK=1: without piles)
 	@scripts/setup.sh bench
 	$(call configure,bench)
-	cmake --build --preset bench --parallel $(JOBS) --target bench_resolution
+	cmake --build --preset bench --parallel $(JOBS) --target bench_resolution bench_plane
 	@build/release/bin/bench_resolution $(if $(QUICK),--quick) > build/RESOLUTION.md
+	@build/release/bin/bench_plane --pyramid >> build/RESOLUTION.md
 	@mv build/RESOLUTION.md bench/RESOLUTION.md
 
 .PHONY: accuracy

@@ -3,8 +3,8 @@
 //
 //   bench_resolution [--rows REGEX] [--quick] > bench/RESOLUTION.md
 //
-// 60 steps a second, g = 10 m/s², density 1000 kg/m³, friction 0.6, each engine's default solver, sleep off but in row
-// i. What holds of all engines is computed here from poses and velocities alone; depths by contacts in double
+// 60 steps a second, g = 10 m/s², density 1000 kg/m³, friction 0.6, each engine's default solver, sleep off but where
+// a row says so. What holds of all engines is computed here from poses and velocities alone; depths by contacts in double
 // precision. Box3D and Jolt are quoted and not run: their figures were measured on another occasion on scenes of the
 // same description; where a scene's layout matters (g, h) they are a hint and no comparison.
 #include <cstdio>
@@ -42,8 +42,9 @@ int main(int argc, char** argv) {
   std::printf(
       "# How engines resolve contacts\n\n"
       "Written by `bench_resolution` (`make bench-resolution`). 60 steps a second, g = 10 m/s², density 1000 kg/m³,\n"
-      "friction 0.6, each engine's default solver, sleep off but in row i. Depths are measured alike for all engines,\n"
-      "by contacts in double precision. Times are of one thread, by the processor's clock; what two threads gain is "
+      "friction 0.6, each engine's default solver, sleep off but where a row says so. Depths are measured alike for\n"
+      "all engines, by contacts in double precision. Times are of one thread, by the processor's clock; what two "
+      "threads gain is "
       "by\n"
       "the clock on the wall. Box3D (`30c67b5`) and Jolt (`3b47ec39`) are quoted from an earlier measurement on "
       "scenes\n"

@@ -1,5 +1,8 @@
 #include "resolution_engine.hpp"
 
+#include <cmath>
+#include <deque>
+
 #ifdef GRAZE_BENCH_BULLET
 #include <btBulletDynamicsCommon.h>
 #endif
@@ -27,9 +30,33 @@ ThingMass mass_of(const Thing& thing) {
     const double m = thing.density * 3.14159265358979 * s.x * s.x * s.y, across = s.x * s.x / 4 + s.y * s.y / 12;
     return {m, Vec3d{across, s.x * s.x / 2, across} * m};
   }
-  case Form::floor: break;
+  case Form::floor:
+  case Form::bowl: break;
   }
   return {};
+}
+
+Bowl bowl_of(double radius) {
+  constexpr std::uint32_t rings = 8, around = 32;
+  constexpr double quarter = 1.5707963267948966;
+  Bowl bowl{{{0, -radius, 0}}, {}};
+  for (std::uint32_t ring = 1; ring <= rings; ++ring)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double polar = quarter * ring / rings, turned = 4 * quarter * i / around;
+      bowl.points.push_back(
+          Vec3d{std::sin(polar) * std::cos(turned), -std::cos(polar), std::sin(polar) * std::sin(turned)} * radius);
+    }
+  const auto point = [](std::uint32_t ring, std::uint32_t i) {
+    return ring == 0 ? 0 : 1 + (ring - 1) * around + i % around;
+  };
+  for (std::uint32_t ring = 0; ring < rings; ++ring)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t low = point(ring, i), low_next = point(ring, i + 1), high = point(ring + 1, i),
+                          high_next = point(ring + 1, i + 1);
+      bowl.indices.insert(bowl.indices.end(), {low, high_next, high});
+      if (ring > 0) bowl.indices.insert(bowl.indices.end(), {low, low_next, high_next});
+    }
+  return bowl;
 }
 
 namespace {
@@ -58,6 +85,9 @@ class GrazeEngine final : public Engine {
             converted<double>(m.angular)};
   }
   bool asleep(std::size_t body) const override { return simulation_.asleep(ids_[body]); }
+  std::function<void()> saved() override {
+    return [this, state = simulation_.save()] { simulation_.restore(state); };
+  }
 
  private:
   static Shape<T> shape(const Thing& thing) {
@@ -66,9 +96,19 @@ class GrazeEngine final : public Engine {
     case Form::ball: return Sphere<T>(x);
     case Form::cylinder: return Cylinder<T>(y, x);
     case Form::floor: return HalfSpace<T>();
+    case Form::bowl: return bowl(thing.size.x);
     case Form::box: break;
     }
     return Box<T>(converted<T>(thing.size));
+  }
+  static Mesh<T> bowl(double radius) {
+    const Bowl made = bowl_of(radius);
+    std::vector<Vec3<T>> points;
+    for (const Vec3d& p : made.points) points.push_back(converted<T>(p));
+    std::vector<typename Mesh<T>::Index> triangles;
+    for (std::size_t i = 0; i < made.indices.size(); i += 3)
+      triangles.push_back({made.indices[i], made.indices[i + 1], made.indices[i + 2]});
+    return Mesh<T>(std::move(points), std::move(triangles));
   }
   std::unique_ptr<Executor> executor_;
   Simulation<T> simulation_;
@@ -97,6 +137,16 @@ class BulletEngine final : public Engine {
     case Form::cylinder: shapes_.push_back(std::make_unique<btCylinderShape>(vector(Vec3d{s.x, s.y / 2, s.x}))); break;
     // Its plane has a contact a step, and lets boxes creep; a box is the floor that its own demonstrations use.
     case Form::floor: shapes_.push_back(std::make_unique<btBoxShape>(vector(Vec3d{200, 1, 200}))); break;
+    case Form::bowl: {
+      const Bowl bowl = bowl_of(s.x);
+      auto mesh = std::make_unique<btTriangleMesh>();
+      for (std::size_t i = 0; i < bowl.indices.size(); i += 3)
+        mesh->addTriangle(vector(bowl.points[bowl.indices[i]]), vector(bowl.points[bowl.indices[i + 1]]),
+                          vector(bowl.points[bowl.indices[i + 2]]));
+      shapes_.push_back(std::make_unique<btBvhTriangleMeshShape>(mesh.get(), true));
+      meshes_.push_back(std::move(mesh));
+      break;
+    }
     }
     const ThingMass mass = thing.density > 0 ? mass_of(thing) : ThingMass{};
     btRigidBody::btRigidBodyConstructionInfo info(number(mass.mass), nullptr, shapes_.back().get(),
@@ -135,6 +185,7 @@ class BulletEngine final : public Engine {
   btDbvtBroadphase broad_;
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_{&dispatcher_, &broad_, &solver_, &configuration_};
+  std::vector<std::unique_ptr<btTriangleMesh>> meshes_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   bool sleep_, continuous_;
@@ -162,6 +213,7 @@ class OdeEngine final : public Engine {
     dJointGroupDestroy(group_);
     dSpaceDestroy(space_);
     dWorldDestroy(world_);
+    for (const dTriMeshDataID mesh : meshes_) dGeomTriMeshDataDestroy(mesh);
   }
   OdeEngine(const OdeEngine&) = delete;
   OdeEngine& operator=(const OdeEngine&) = delete;
@@ -180,6 +232,16 @@ class OdeEngine final : public Engine {
     case Form::floor: {
       const Vec3d up = rotate(thing.pose.rotation, Vec3d{0, 1, 0});
       geom = dCreatePlane(space_, n(up.x), n(up.y), n(up.z), n(dot(up, at)));
+      break;
+    }
+    case Form::bowl: {
+      // ODE reads the numbers where they are.
+      const Bowl& bowl = bowls_.emplace_back(bowl_of(s.x));
+      const dTriMeshDataID mesh = meshes_.emplace_back(dGeomTriMeshDataCreate());
+      dGeomTriMeshDataBuildDouble(mesh, bowl.points.data(), sizeof(Vec3d), static_cast<int>(bowl.points.size()),
+                                  bowl.indices.data(), static_cast<int>(bowl.indices.size()),
+                                  3 * sizeof(std::uint32_t));
+      geom = dCreateTriMesh(space_, mesh, nullptr, nullptr, nullptr);
       break;
     }
     }
@@ -244,6 +306,8 @@ class OdeEngine final : public Engine {
   dWorldID world_{};
   dSpaceID space_{};
   dJointGroupID group_{};
+  std::deque<Bowl> bowls_;
+  std::vector<dTriMeshDataID> meshes_;
   std::vector<std::pair<dBodyID, Thing>> things_;
 };
 #endif

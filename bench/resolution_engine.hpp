@@ -4,6 +4,7 @@
 // damped. Poses and velocities are of the centre of mass, in double precision whatever the engine computes in.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -14,14 +15,14 @@
 
 namespace graze::bench {
 
-enum class Form { box, ball, cylinder, floor };
+enum class Form { box, ball, cylinder, floor, bowl };
 
 /// A body of a scene.
 struct Thing {
   Form form = Form::box;
   Vec3d size{1, 1, 1};  ///< edges of a box; of others x is the radius and y the height; cylinders stand along y
   Posed pose{};
-  double density = 1000;  ///< 0: does not move
+  double density = 1000;  ///< 0: does not move, as floors and bowls do not
   double friction = 0.6, restitution = 0;
   Vec3d linear{}, angular{};
 };
@@ -32,6 +33,14 @@ struct ThingMass {
   Vec3d inertia{};
 };
 ThingMass mass_of(const Thing& thing);
+
+/// The inside of the lower half of a sphere about the origin: rings of flat triangles, counterclockwise seen from
+/// inside.
+struct Bowl {
+  std::vector<Vec3d> points;
+  std::vector<std::uint32_t> indices;  ///< three a triangle
+};
+Bowl bowl_of(double radius);
 
 struct Moving {
   Posed pose;
@@ -52,6 +61,8 @@ class Engine {
   virtual void step(double dt) = 0;
   virtual Moving moving(std::size_t body) const = 0;
   virtual bool asleep(std::size_t body) const = 0;
+  /// What puts the engine back to how it is now; nothing of one that cannot be put back.
+  virtual std::function<void()> saved() { return {}; }
 };
 
 struct EngineKind {

@@ -8,7 +8,7 @@
 namespace graze::bench {
 
 // What stands (resolution_stacks.cpp).
-std::string tallest(const EngineKind& kind);                                  ///< the tallest tower that stands
+std::string tallest(const EngineKind& kind, bool sleep);                      ///< the tallest tower that stands
 std::string tower_row(const EngineKind& kind, int count, double off);         ///< sink and drift of the top, energy
 std::string pyramid(const EngineKind& kind);                                  ///< depth, drift, energy, time of a step
 std::string heavy_on_light(const EngineKind& kind, double ratio, int light);  ///< depth, energy
@@ -16,7 +16,7 @@ std::string card_house(const EngineKind& kind);                               //
 std::string sizes(const EngineKind& kind);                                    ///< sink of five boxes, size by size
 
 // What moves (resolution_moves.cpp).
-std::string creep(const EngineKind& kind, bool plate);
+std::string creep(const EngineKind& kind, bool plate);  ///< in two seconds; of that, after the first 0.2 s
 /// The way, or the speed, after two seconds, over the exact one.
 std::string sliding(const EngineKind& kind, double share, bool plate, bool way);
 std::string stopping(const EngineKind& kind);
@@ -25,13 +25,15 @@ std::string elastic(const EngineKind& kind, bool ball);
 std::string cradle(const EngineKind& kind);             ///< speed of the last ball, energy
 std::string spin(const EngineKind& kind, double rate);  ///< errors of angular momentum, its direction, energy
 std::string free_fall(const EngineKind& kind);
-std::string cylinders(const EngineKind& kind);  ///< how many sleep, since when, depth
+std::string cylinders(const EngineKind& kind);      ///< how many sleep, since when, depth
+std::string balls_in_bowl(const EngineKind& kind);  ///< the same
 std::string through_wall(const EngineKind& kind, double size, bool moving_wall);
-std::string past_post(const EngineKind& kind, double rate);
+std::string past_post(const EngineKind& kind, double rate, bool moving_post);
 
 // A pile (resolution_pile.cpp).
-std::string pile(const EngineKind& kind);         ///< time of a step, depth, energy
-std::string two_threads(const EngineKind& kind);  ///< how many times faster than one
-std::string same_bits(const EngineKind& kind);    ///< twice; on several threads
+std::string pile(const EngineKind& kind);          ///< time of a step, depth, energy
+std::string settled_pile(const EngineKind& kind);  ///< time of a step, depth
+std::string two_threads(const EngineKind& kind);   ///< how many times faster than one
+std::string same_bits(const EngineKind& kind);     ///< twice; on several threads; after it was put back
 
 }  // namespace graze::bench

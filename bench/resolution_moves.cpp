@@ -30,8 +30,11 @@ struct Slope {
 
 std::string creep(const EngineKind& kind, bool plate) {
   Slope slope(kind, 1.02, plate);
-  slope.run.steps(2 * seconds);
-  return millimetres(std::abs(slope.run.at(1).x));
+  slope.run.steps(seconds / 5);
+  const double early = slope.run.at(1).x;
+  slope.run.steps(2 * seconds - seconds / 5);
+  const double end = slope.run.at(1).x;
+  return millimetres(std::abs(end)) + ", " + millimetres(std::abs(end - early));
 }
 
 std::string sliding(const EngineKind& kind, double share, bool plate, bool way) {
@@ -118,6 +121,27 @@ std::string free_fall(const EngineKind& kind) {
   return printed("%.5f m", 100 - run.at(0).y);
 }
 
+namespace {
+
+/// Twenty seconds of bodies that may sleep: how many do, since when all, and how deep they are in each other.
+std::string coming_to_rest(const EngineKind& kind, const std::vector<Thing>& things) {
+  Run run(kind, things, {.sleep = true});
+  int last = -1;
+  for (int i = 1; i <= 20 * seconds; ++i) {
+    run.steps(1);
+    bool all = true;
+    for (std::size_t k = 1; k < run.things().size(); ++k) all = all && run.engine().asleep(k);
+    if (all && last < 0) last = i;
+    if (!all) last = -1;
+  }
+  int asleep = 0;
+  for (std::size_t k = 1; k < run.things().size(); ++k) asleep += run.engine().asleep(k) ? 1 : 0;
+  return std::to_string(asleep) + (last < 0 ? ", -" : printed(", %.1f s", last * dt)) + ", " +
+         millimetres(run.deepest());
+}
+
+}  // namespace
+
 std::string cylinders(const EngineKind& kind) {
   std::vector<Thing> things{floor_with()};
   for (int i = 0; i < 10; ++i) {
@@ -129,19 +153,17 @@ std::string cylinders(const EngineKind& kind) {
     falling.pose.rotation = about({0.6, 0, 0.8}, 0.15 * i);
     things.push_back(falling);
   }
-  Run run(kind, things, {.sleep = true});
-  int last = -1;
-  for (int i = 1; i <= 20 * seconds; ++i) {
-    run.steps(1);
-    bool all = true;
-    for (std::size_t k = 1; k < things.size(); ++k) all = all && run.engine().asleep(k);
-    if (all && last < 0) last = i;
-    if (!all) last = -1;
-  }
-  int asleep = 0;
-  for (std::size_t k = 1; k < things.size(); ++k) asleep += run.engine().asleep(k) ? 1 : 0;
-  return std::to_string(asleep) + (last < 0 ? ", -" : printed(", %.1f s", last * dt)) + ", " +
-         millimetres(run.deepest());
+  return coming_to_rest(kind, things);
+}
+
+std::string balls_in_bowl(const EngineKind& kind) {
+  Thing bowl = round(Form::bowl, {0, 3, 0}, 3);
+  bowl.density = 0;
+  std::vector<Thing> things{bowl};
+  for (int i = 0; i < 20; ++i)
+    things.push_back(
+        round(Form::ball, {0.7 * (i % 3 - 1) + 0.05 * i, 2 + 0.6 * (i / 6), 0.7 * (i / 3 % 2) - 0.35}, 0.25));
+  return coming_to_rest(kind, things);
 }
 
 std::string through_wall(const EngineKind& kind, double size, bool moving_wall) {
@@ -161,14 +183,15 @@ std::string through_wall(const EngineKind& kind, double size, bool moving_wall) 
   return std::to_string(through);
 }
 
-std::string past_post(const EngineKind& kind, double rate) {
+std::string past_post(const EngineKind& kind, double rate, bool moving_post) {
   Random random(9);
   int unnoticed = 0;
   for (int i = 0; i < 100; ++i) {
     Thing rod = box({0, 0, 0}, {4, 0.04, 0.04});
     rod.pose.rotation = about({0, 0, 1}, random.number(-1.2, -0.1));
     rod.angular = {0, 0, rate};
-    const Thing post = box({1.9, 0.02, 0}, {0.04, 0.04, 2}, 0);
+    Thing post = box({1.9, 0.02, 0}, {0.04, 0.04, 2}, moving_post ? 1e6 : 0);
+    if (moving_post) post.linear = {0, -1, 0};
     Run run(kind, {post, rod}, {.gravity = {}, .continuous = true});
     run.steps(static_cast<int>(std::ceil(1.5 / rate / dt)) + 1);
     const Moving m = run.moving(1);

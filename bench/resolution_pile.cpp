@@ -42,6 +42,33 @@ std::string pile(const EngineKind& kind) {
          joules(run.kinetic_energy());
 }
 
+namespace {
+
+/// The pile after it has fallen and come to rest, by Graze in float; at rest.
+const std::vector<Thing>& pile_at_rest() {
+  static const std::vector<Thing> things = [] {
+    std::vector<Thing> fallen = bin_of_boxes(5000);
+    Run run(engine_kinds().front(), fallen);
+    run.steps(20 * seconds);
+    for (std::size_t i = 0; i < fallen.size(); ++i) fallen[i].pose = run.moving(i).pose;
+    return fallen;
+  }();
+  return things;
+}
+
+}  // namespace
+
+std::string settled_pile(const EngineKind& kind) {
+  Run run(kind, pile_at_rest());
+  std::vector<double> times;
+  for (int i = 0; i < seconds; ++i) {
+    const double start = processor_seconds();
+    run.steps(1);
+    times.push_back(processor_seconds() - start);
+  }
+  return printed("%.1f ms", quantile(times, 0.5) * 1e3) + ", " + millimetres(run.deepest());
+}
+
 /// The same pile twice, on one thread and on two, which take their steps in turns. Where others use the machine only
 /// the quickest steps tell what two threads gain: the ratio of the quickest tenths. The pile has fallen for a while
 /// when it begins.
@@ -64,9 +91,7 @@ std::string two_threads(const EngineKind& kind) {
 
 namespace {
 
-std::uint64_t state_hash(const EngineKind& kind, std::size_t threads) {
-  Run run(kind, bin_of_boxes(300), {.threads = threads});
-  run.steps(3 * seconds);
+std::uint64_t hash_of(const Run& run) {
   std::uint64_t hash = 14695981039346656037u;  // Fowler, Noll and Vo
   for (std::size_t i = 0; i < run.things().size(); ++i) {
     const Moving m = run.moving(i);
@@ -77,13 +102,36 @@ std::uint64_t state_hash(const EngineKind& kind, std::size_t threads) {
   return hash;
 }
 
+std::uint64_t state_hash(const EngineKind& kind, std::size_t threads) {
+  Run run(kind, bin_of_boxes(300), {.threads = threads});
+  run.steps(3 * seconds);
+  return hash_of(run);
+}
+
+/// A second after it was put back the pile has the bits that it had a second after it was saved.
+std::string put_back(const EngineKind& kind) {
+  Run run(kind, bin_of_boxes(300));
+  run.steps(1 * seconds);
+  const std::function<void()> put = run.engine().saved();
+  if (!put) return "; -";
+  run.steps(1 * seconds);
+  const std::uint64_t first = hash_of(run);
+  put();
+  run.steps(1 * seconds);
+  return first == hash_of(run) ? "; yes" : "; no";
+}
+
 }  // namespace
 
 std::string same_bits(const EngineKind& kind) {
   const std::uint64_t first = state_hash(kind, 1);
   std::string answer = first == state_hash(kind, 1) ? "yes" : "no";
-  if (!kind.has_threads) return answer + "; -";
-  return answer + (first == state_hash(kind, 2) && first == state_hash(kind, 4) ? "; yes" : "; no");
+  if (kind.has_threads)
+    answer +=
+        first == state_hash(kind, 2) && first == state_hash(kind, 4) && first == state_hash(kind, 8) ? "; yes" : "; no";
+  else
+    answer += "; -";
+  return answer + put_back(kind);
 }
 
 }  // namespace graze::bench

@@ -40,10 +40,10 @@ std::string tower_row(const EngineKind& kind, int count, double off) {
          joules(run.kinetic_energy());
 }
 
-std::string tallest(const EngineKind& kind) {
+std::string tallest(const EngineKind& kind, bool sleep) {
   int best = 0;
   for (const int count : {10, 15, 20, 30, 40, 60, 100}) {
-    Run run(kind, tower(count, 0));
+    Run run(kind, tower(count, 0), {.sleep = sleep});
     run.steps(20 * seconds);
     if (!stands(run)) break;
     best = count;
