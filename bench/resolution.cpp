@@ -4,9 +4,9 @@
 //   bench_resolution [--rows REGEX] [--quick] > bench/RESOLUTION.md
 //
 // 60 steps a second, g = 10 m/s², density 1000 kg/m³, friction 0.6, each engine's default solver, sleep off but where
-// a row says so. What holds of all engines is computed here from poses and velocities alone; depths by contacts in double
-// precision. Box3D and Jolt are quoted and not run: their figures were measured on another occasion on scenes of the
-// same description; where a scene's layout matters (g, h) they are a hint and no comparison.
+// a row says so. What holds of all engines is computed here from poses and velocities alone; depths by contacts in
+// double precision. Box3D and Jolt are quoted and not run: their figures were measured on another occasion on scenes of
+// the same description; where a scene's layout matters (g, h) they are a hint and no comparison.
 #include <cstdio>
 #include <regex>
 

@@ -8,8 +8,9 @@
 //
 // Method: soft contacts in sub-steps, each with a relaxing pass that takes the push out again ("soft step", Catto 2024,
 // "Solver2D"), warm started by the feature of each contact. The number of sub-steps grows, island by island, where a
-// contact would sink visibly under the load that it bore in the last step. Restitution is propagated through touching
-// bodies by Newton's law (`blows.hpp`).
+// contact would sink visibly under the load that it bore in the last step, up to sixteen, and further where bodies
+// stand so high on each other that they would lean. Restitution is propagated through touching bodies by Newton's law
+// (`blows.hpp`).
 #pragma once
 
 #include <memory>
@@ -28,8 +29,8 @@ template <class T, class Space = graze::Space<T>>
 struct SimulationSettings {
   typename Space::Vec gravity{T(0), T(-9.81)};  ///< an acceleration
   int sub_steps = 4;                            ///< least number of sub-steps of a step; a power of two
-  int most_sub_steps = 16;                      ///< largest number of sub-steps, for an island under load; a power of
-                                                ///< two
+  int most_sub_steps = 64;                      ///< largest number of sub-steps, for an island under load; a power of
+                                                ///< two; more than 16 only where bodies stand high on each other
   bool sleep = true;                            ///< islands at rest cost nothing and do not move
   bool continuous = true;                       ///< fast bodies do not pass through others
   T longest_step = T(1);                        ///< longer steps are refused

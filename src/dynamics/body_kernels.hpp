@@ -30,6 +30,7 @@ struct IslandBody {
   typename Space::Turning spin{};  ///< of a body that nothing pushes
   int sub_steps = 0;               ///< of its island in the last step; 0 of a body that is new
   bool movable = false;
+  bool placed = false;  ///< by hand; overlaps what it has been put into
 };
 
 /// Bodies that stand one behind the other and can be pushed.

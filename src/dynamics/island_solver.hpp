@@ -38,6 +38,8 @@ class IslandSolver {
 
   const FreeBodyIn<Space>& body(std::uint32_t place) const { return states_[place].free; }
   int sub_steps() const { return sub_steps_; }
+  /// Whether the body still overlaps what it, or the other, was put into by hand.
+  bool placed(std::uint32_t body) const { return placed_[body] != 0; }
   std::size_t point_count() const { return contacts_.point_count(); }
   std::size_t color_count() const { return contacts_.color_count(); }
   /// The fastest approach of a point that touches.
@@ -46,11 +48,14 @@ class IslandSolver {
  private:
   /// The greatest load that a contact of an island bears.
   struct Load {
-    T strain{};  ///< force times inverse masses, of the smaller body's size
+    T strain{};       ///< greatest of a contact: force times inverse masses, of the smaller body's size
+    T mean_strain{};  ///< of the contacts that press
+    T mean_borne{};   ///< by one of them: its force as a number of weights of the bodies; 0 without gravity
     T smallest = std::numeric_limits<T>::infinity();
-    bool overlap = false;  ///< whether bodies were put into each other
   };
 
+  void find_overlap(std::span<const SolverPoint<T, Space>> points, T step);
+  T mean_square_speed() const;
   void begin_sub_step(const SubStep<T>& time);
   void move(const SubStep<T>& time);
   void end_sub_step();
@@ -58,7 +63,7 @@ class IslandSolver {
   void solve_rows(const ContactStep<T>& step, bool bias);
   void solve_joints(bool bias);
   void arrive();
-  Load load(std::span<const SolverPoint<T, Space>> points, T step, T share) const;
+  Load load(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share) const;
   void relax(const ContactStep<T>& step);
   void find_residual();
   T parting();
@@ -84,6 +89,7 @@ class IslandSolver {
   bool by_mean_ = true;  ///< bodies on joints move by the mean of their velocities
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joint_bodies_;
   Executor* executor_ = nullptr;
+  std::vector<std::uint8_t> placed_;
   int sub_steps_ = 1;
   bool overlap_ = false;  ///< whether bodies were put into each other
   T smallest_{};          ///< the size of the smallest body that touches another

@@ -312,6 +312,7 @@ void Simulation<T, Space>::set_pose(BodyId id, const typename Space::Pose& pose)
   parts_->wake_around(index);
   parts_->place(index, parts_->world.bodies().poses()[index], {});
   SimulatedBody<T, Space>& body = parts_->bodies[index];
+  body.placed = true;
   body.free.linear = motion.linear;
   body.spin = motion.angular;
   if (body.movable) set_angular_velocity(body.free, motion.angular);

@@ -38,6 +38,7 @@ struct SimulatedBody {
   bool moves = false;    ///< by itself: movable or kinematic
   bool may_sleep = true;
   bool asleep = false;
+  bool placed = true;  ///< by hand, into others that it still overlaps
 };
 
 /// A joint's place: whether there is one, and how often its index was given away.

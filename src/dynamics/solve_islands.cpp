@@ -66,6 +66,7 @@ IslandBody<T, Space> SimulationParts<T, Space>::island_body(std::uint32_t index)
                   body.linear_damping, body.angular_damping, shares[index]};
   b.sub_steps = body.sub_steps;
   b.movable = body.movable;
+  b.placed = body.placed;
   return b;
 }
 
@@ -104,6 +105,7 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
   for (std::uint32_t i = 0; i < members.size(); ++i) {
     bodies[members[i]].free = solver.body(i);
     bodies[members[i]].sub_steps = solver.sub_steps();
+    bodies[members[i]].placed = solver.placed(i);
   }
 }
 
@@ -142,7 +144,9 @@ void SimulationParts<T, Space>::solve_islands(T dt) {
   const auto alive = world.bodies().alive();
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     SimulatedBody<T, Space>& body = bodies[i];
-    if (alive[i] == 0 || body.movable || !body.moves) continue;
+    if (alive[i] == 0 || body.movable) continue;
+    body.placed = false;
+    if (!body.moves) continue;
     FreeBodyIn<Space> moving = spinning(body.free, body.spin);
     advance(moving, typename Space::Vec{}, dt);
     body.free.center = moving.center;

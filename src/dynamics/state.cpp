@@ -166,6 +166,7 @@ std::uint64_t Simulation<T, Space>::state_hash() const {
     hash.add(body.rested);
     hash.add(body.sub_steps);
     hash.add(body.asleep);
+    hash.add(body.placed);
   }
   each_point<T, Space>(p.world.contacts(), [&](const SolverPoint<T, Space>& point) { hash.add(point.impulse); });
   for (const JointId id : joints())

@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 321765831011475224u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 79576802612215044u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 17125775067648296903u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 1080960067308659242u;
 
 template <class T>
 class MovingRun {

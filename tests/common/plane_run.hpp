@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 8756017461490191211u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 17649001413237664719u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 5229985301554578633u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 2109889579241454491u;
 
 }  // namespace graze::testing
 

@@ -67,20 +67,26 @@ TYPED_TEST(SimulationHeaps, WhatBeginsInOneComesApart) {
 }
 
 /// Ten boxes on each other that overlap by so much of their size come apart no faster than one contact pushes, and none
-/// is thrown: the tower grows to its height, and where it overlaps by no more than a tenth it stands.
-TYPED_TEST(SimulationHeaps, TowersThatOverlapGrow) {
-  using T = TypeParam;
+/// is thrown: the tower grows to its height, and where it overlaps by no more than a tenth it stands. So do boxes that
+/// are moved into each other when they have fallen for a step.
+template <class T>
+void expect_that_towers_grow(bool moved) {
   for (const double overlap : {0.01, 0.03, 0.1, 0.5}) {
     Simulation<T> s(settings<T>());
     add_floor<T>(s);
     std::vector<BodyId> boxes;
     for (int i = 0; i < 10; ++i)
-      boxes.push_back(s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5) + T(i) * T(1 - overlap), T(0)}, {}}}));
+      boxes.push_back(
+          s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5) + T(i) * T(moved ? 2 : 1 - overlap), T(0)}, {}}}));
+    if (moved) s.step(T(dt));
+    for (int i = 0; moved && i < 10; ++i)
+      s.set_pose(boxes[static_cast<std::size_t>(i)], {{T(0), T(0.5) + T(i) * T(1 - overlap), T(0)}, {}});
     T fastest(0), highest(0);
     for (int i = 0; i < 5 * 64; ++i) {
       s.step(T(dt));
       for (const BodyId id : boxes) {
-        fastest = std::max(fastest, s.motion(id).linear.y);
+        // Later what was put in by half falls to a side, and bounces.
+        if (i < 64) fastest = std::max(fastest, s.motion(id).linear.y);
         highest = std::max(highest, s.poses()[id.index].translation.y);
       }
     }
@@ -92,6 +98,8 @@ TYPED_TEST(SimulationHeaps, TowersThatOverlapGrow) {
     EXPECT_LT(std::abs(top.x) + std::abs(top.z), T(0.5)) << overlap;
   }
 }
+TYPED_TEST(SimulationHeaps, TowersThatOverlapGrow) { expect_that_towers_grow<TypeParam>(false); }
+TYPED_TEST(SimulationHeaps, TowersThatAreMovedIntoOverlapGrow) { expect_that_towers_grow<TypeParam>(true); }
 
 /// A heap of anything comes to rest, and nothing is a NaN on the way.
 TEST(Simulation, HeapsComeToRest) {

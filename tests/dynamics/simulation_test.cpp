@@ -254,6 +254,28 @@ TYPED_TEST(SimulationOf, TenBoxesStandAwake) {
   EXPECT_EQ(s.report().islands, 1u);
 }
 
+/// Sixty boxes, each up to 2 cm beside its place: with contacts as soft as those of ten are they lean and fall, as a
+/// column buckles. They take more sub-steps than ten, and keep them.
+TYPED_TEST(SimulationOf, SixtyBoxesStandOutOfLine) {
+  using T = TypeParam;
+  constexpr int count = 60;
+  Simulation<T> s(settings<T>());
+  add_floor(s);
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < count; ++i) {
+    // Multiples of the golden ratio are spread evenly.
+    const double x = std::fmod(i * 0.618033988749895, 1.0), z = std::fmod(i * i * 0.618033988749895, 1.0);
+    boxes.push_back(s.add({Box<T>({T(1), T(1), T(1)}), {{T(0.04 * x - 0.02), T(i) + T(0.5), T(0.04 * z - 0.02)}, {}}}));
+  }
+  const auto placed = [&] { return s.poses()[boxes.back().index].translation; };
+  const Vec3<T> put = placed();
+  for (int i = 0; i < 15 * 64; ++i) s.step(T(dt));
+  const Vec3<T> top = placed();
+  EXPECT_NEAR(top.y, put.y, T(0.02));
+  EXPECT_LT(std::hypot(top.x - put.x, top.z - put.z), T(0.03));
+  EXPECT_GT(s.report().most_sub_steps, 16);
+}
+
 /// What the number of sub-steps changes must not change the number again: it settles, and the stack comes to rest.
 TYPED_TEST(SimulationOf, SubStepsSettleUnderAHeavyBox) {
   using T = TypeParam;

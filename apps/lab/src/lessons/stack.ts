@@ -5,12 +5,12 @@ import type { Lesson, Step } from "./lesson.ts";
 
 const boxes = 10, rate = 60, every = 6, frames = 10;
 const size: Vec = [1, 1, 1];
-/** The numbers of sub-steps of a step, or "auto", the library's default: four, and up to sixteen where an island bears
- *  much. */
+/** The numbers of sub-steps of a step, or "auto", the library's default: four, and up to sixteen where one contact
+ *  bears much, more only where bodies stand high on each other. */
 const efforts = ["1", "2", "4", "8", "16", "auto"] as const;
 type Effort = (typeof efforts)[number];
 const masses = [1, 10, 100, 1000];
-const named: Record<Effort, string> = { 1: "1", 2: "2", 4: "4", 8: "8", 16: "16", auto: "4 to 16, by load" };
+const named: Record<Effort, string> = { 1: "1", 2: "2", 4: "4", 8: "8", 16: "16", auto: "4 and more, by load" };
 const settings = (effort: Effort): graze.SimulationSettings =>
   effort === "auto" ? { sleep: false } : { sleep: false, subSteps: Number(effort), mostSubSteps: Number(effort) };
 
