@@ -6,44 +6,6 @@ namespace graze {
 
 namespace {
 
-/// The depth to which a contact may sink under its load, as a part of the smaller body's size, before the island takes
-/// more sub-steps.
-template <class T>
-constexpr T visible_sink = T(0.001);
-
-/// The part of `visible_sink` within which the contacts of an island have to stay for it to take one sub-step less.
-/// Fewer sub-steps soften every contact, and bodies on it sink: a blow to the island, which must not call for more of
-/// them again. So they become fewer by one at a time, which changes the springs least, and four times the load has to
-/// come before there are more. Measured: with half, towers of thirty boxes and more change their number for good and
-/// keep 2 J; with a quarter none of up to forty does, nor ten boxes under one of 1 to 110 times the mass.
-template <class T>
-constexpr T calm_sink = T(0.25);
-
-/// The part of its size by which a body may fall in a sub-step.
-template <class T>
-constexpr T fall_in_sub_step = T(0.02);
-
-/// The most sub-steps that the hardest pressed contact of an island can call for, and that one takes with a body whose
-/// load is not known yet. In a pile some contact is always struck, and more of them would be for that one alone.
-constexpr int most_for_one = 16;
-
-/// The mean of the depths to which contacts sink, as a part of a size, times the square of the mean number of bodies
-/// that a contact bears: above that an island takes more sub-steps than `most_for_one`. A tower bends at each of its
-/// contacts and leans until it falls if they are too soft, as a column buckles under its own weight: where stiffness is
-/// below a limit that grows with the cube of the height (Greenhill 1881). Measured with towers of 40 to 100 boxes that
-/// were built 2 cm out of line, in 16 to 36 sub-steps: they stand up to 0.68 and fall from 0.88 on.
-template <class T>
-constexpr T slender = T(0.6);
-
-/// The mean speed of bodies, as a part of that of a fall through half the size of the smallest, up to which an island
-/// may take more sub-steps than `most_for_one`: bodies that fall onto each other strike, and do not stand; and up to
-/// which it may take fewer of these. A tower that bounces bears more when it is pressed and less when it stretches:
-/// softer contacts at every stretch would keep it bouncing.
-template <class T>
-constexpr T standing_speed = T(0.1);
-template <class T>
-constexpr T calm_speed = T(0.01);
-
 /// Passes that relax the velocities of an island with both contacts and joints. A contact is solved without the
 /// joints of its bodies: one pass takes back too little or too much of a blow's impulse, which the next sub-step
 /// begins with, and the blow is given once more. Measured in 393 chains of 3 to 27 links that collide, the last up to
@@ -168,9 +130,9 @@ void IslandSolver<T, Space>::add(JointInPlace<T, Space>& joint, std::uint32_t a,
 }
 
 template <class T, class Space>
-auto IslandSolver<T, Space>::load(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share) const
-    -> Load {
-  Load load;
+IslandLoad<T> IslandSolver<T, Space>::load(std::span<const SolverPoint<T, Space>> points, T step, T gravity,
+                                           T share) const {
+  IslandLoad<T> load;
   std::size_t pressing = 0;
   contacts_.each_manifold([&](const TouchingBodies<T, Space>& touching, const ContactManifold<T, Space>& m) {
     T pressed(0);
@@ -186,9 +148,17 @@ auto IslandSolver<T, Space>::load(std::span<const SolverPoint<T, Space>> points,
     load.mean_borne += strain * size / gravity;
     ++pressing;
   });
-  if (pressing == 0) return load;
-  load.mean_strain /= T(pressing);
-  load.mean_borne /= T(pressing);
+  if (pressing > 0) {
+    load.mean_strain /= T(pressing);
+    load.mean_borne /= T(pressing);
+  }
+  T speeds(0), movable(0);
+  for (const IslandBody<T, Space>& body : states_) {
+    if (!body.movable) continue;
+    speeds += length_squared(body.free.linear);
+    movable += T(1);
+  }
+  load.mean_square_speed = speeds / movable;
   return load;
 }
 
@@ -209,18 +179,6 @@ void IslandSolver<T, Space>::find_overlap(std::span<const SolverPoint<T, Space>>
   });
 }
 
-/// The mean square of the speeds of bodies.
-template <class T, class Space>
-T IslandSolver<T, Space>::mean_square_speed() const {
-  T sum(0), count(0);
-  for (const IslandBody<T, Space>& body : states_) {
-    if (!body.movable) continue;
-    sum += length_squared(body.free.linear);
-    count += T(1);
-  }
-  return sum / count;
-}
-
 template <class T, class Space>
 void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share,
                                               int least, int most) {
@@ -230,39 +188,16 @@ void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Spa
   placed_.assign(states_.size(), 0);
   overlap_ = false;
   if (contacts_.empty()) return;
-  const Load most_load = load(points, step, gravity, share);
   find_overlap(points, step);
-  smallest_ = most_load.smallest;
-  const auto falls_far = [&](int count) {
-    const T h = step / T(count);
-    return gravity * h * h > fall_in_sub_step<T> * most_load.smallest;
-  };
-  const auto leans = [&](int count, T part) {
-    const T sink = predicted_sink(most_load.mean_strain, step / T(count));
-    return sink * most_load.mean_borne * most_load.mean_borne > part * slender<T>;
-  };
-  const auto sinks = [&](int count, T part) {
-    return predicted_sink(most_load.strain, step / T(count)) > part * visible_sink<T>;
-  };
-  const auto too_few = [&](int count, T part) {
-    return falls_far(count) || (count < most_for_one ? sinks(count, part) : leans(count, part));
-  };
-  const auto slower = [&](T part) { return mean_square_speed() <= part * part * gravity * smallest_; };
-  while (sub_steps_ < most && too_few(sub_steps_, T(1))) ++sub_steps_;
-  // The load on a body that is new is not known yet: its island takes as many as one contact can call for.
+  const IslandLoad<T> borne = load(points, step, gravity, share);
+  smallest_ = borne.smallest;
   int last = 0;
-  for (const IslandBody<T, Space>& body : states_)
-    if (body.movable)
-      last = std::max(last, body.sub_steps == 0 ? std::min(most, most_for_one) + 1 : std::min(body.sub_steps, most));
-  const auto held = [&](int count) {
-    return count < most_for_one ? too_few(count, calm_sink<T>)
-                                : too_few(most_for_one, calm_sink<T>) || falls_far(count) || !slower(calm_speed<T>);
-  };
-  if (sub_steps_ < last) sub_steps_ = last <= most && held(last - 1) ? last : last - 1;
-  // Much stiffer springs throw off what softer ones let sink: those against leaning become stiffer one by one.
-  int at_once = std::max(last, most_for_one);
-  while (at_once < sub_steps_ && falls_far(at_once)) ++at_once;
-  if (sub_steps_ > std::max(at_once, least)) sub_steps_ = at_once + (slower(standing_speed<T>) ? 1 : 0);
+  for (const IslandBody<T, Space>& body : states_) {
+    if (!body.movable) continue;
+    if (body.sub_steps == 0) sub_steps_ = std::max(sub_steps_, std::min(most_for_one, most));
+    last = std::max(last, std::min(body.sub_steps, most));
+  }
+  sub_steps_ = sub_step_count(borne, step, gravity, last, sub_steps_, most);
 }
 
 template <class T, class Space>

@@ -5,13 +5,13 @@
 // island, colour by colour, if it is given an executor.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "dynamics/body_kernels.hpp"
 #include "dynamics/contact_bundles.hpp"
 #include "dynamics/joint_system.hpp"
 #include "dynamics/joints.hpp"
+#include "dynamics/sub_step_count.hpp"
 
 namespace graze {
 
@@ -29,7 +29,7 @@ class IslandSolver {
   void add(JointInPlace<T, Space>& joint, std::uint32_t a, std::uint32_t b);
 
   /// Chooses the least number of sub-steps with which, by the impulses of the last step, no contact sinks visibly: from
-  /// `least` to `most`, no fewer than one below the last step's, and the most where a body is new. `share`: the part of
+  /// `least` to `most`, no fewer than one below the last step's. `share`: the part of
   /// the last step's impulses that this step has.
   void choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share, int least, int most);
   void solve(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share);
@@ -46,16 +46,7 @@ class IslandSolver {
   T residual() const { return residual_; }
 
  private:
-  /// The greatest load that a contact of an island bears.
-  struct Load {
-    T strain{};       ///< greatest of a contact: force times inverse masses, of the smaller body's size
-    T mean_strain{};  ///< of the contacts that press
-    T mean_borne{};   ///< by one of them: its force as a number of weights of the bodies; 0 without gravity
-    T smallest = std::numeric_limits<T>::infinity();
-  };
-
   void find_overlap(std::span<const SolverPoint<T, Space>> points, T step);
-  T mean_square_speed() const;
   void begin_sub_step(const SubStep<T>& time);
   void move(const SubStep<T>& time);
   void end_sub_step();
@@ -63,7 +54,7 @@ class IslandSolver {
   void solve_rows(const ContactStep<T>& step, bool bias);
   void solve_joints(bool bias);
   void arrive();
-  Load load(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share) const;
+  IslandLoad<T> load(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share) const;
   void relax(const ContactStep<T>& step);
   void find_residual();
   T parting();
