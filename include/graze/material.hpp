@@ -1,6 +1,7 @@
 // Materials of surfaces, and the combined material of a contact.
 //
-// Guarantee: plain values. The order of the two materials does not change a bit.
+// Guarantee: plain values, which `check` refuses where they make no sense. The order of the two materials does not change
+// a bit.
 #pragma once
 
 #include "graze/vec3.hpp"
@@ -24,6 +25,11 @@ struct Material {
   Vec surface_velocity{};  ///< velocity of a conveyor's surface, in the body's frame
 };
 
+/// Refuses a material of which a number makes no sense. Throws `InvalidValue` that names it: frictions that are negative
+/// or not finite, a restitution outside of 0 to 1, and a surface velocity that is not finite or too large.
+template <class T, class Vec>
+void check(const Material<T, Vec>& material);
+
 /// The rule for two materials: the one that stands first in `Combine`, disregarding `unset`.
 constexpr Combine combined(Combine a, Combine b) {
   if (a == Combine::unset || b == Combine::unset) return a == b ? Combine::average : a < b ? b : a;
@@ -46,9 +52,8 @@ constexpr T combined(T a, T b, Combine how) {
 /// The combined material of a contact.
 template <class T>
 struct ContactMaterial {
-  T static_friction{}, dynamic_friction{}, restitution{}, rolling_friction{};  ///< combined coefficients, each as in
-                                                                               ///< `Material`
-                                                                               ///< together
+  /// Combined coefficients, each as in `Material`.
+  T static_friction{}, dynamic_friction{}, restitution{}, rolling_friction{};
 };
 
 /// The combined material of two. The larger rolling friction counts, since the softer body is pressed in.

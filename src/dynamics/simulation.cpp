@@ -22,18 +22,6 @@ void check_number(T value, const char* path, const char* expectation, bool good)
   if (!good) validate::fail(path, expectation, static_cast<double>(value));
 }
 
-template <class T, class Space>
-void check_material(const MaterialIn<T, Space>& m) {
-  const auto positive = [](T value, const char* path) {
-    check_number(value, path, "a finite number >= 0", value >= T(0) && std::isfinite(value));
-  };
-  positive(m.static_friction, "static_friction");
-  positive(m.dynamic_friction, "dynamic_friction");
-  positive(m.rolling_friction, "rolling_friction");
-  check_number(m.restitution, "restitution", "a number from 0 to 1", m.restitution >= T(0) && m.restitution <= T(1));
-  checked_vector(m.surface_velocity, "surface_velocity");
-}
-
 /// Adds to a body's velocity and angular momentum. Throws `InvalidValue` for what makes it too fast, and changes
 /// nothing.
 template <class T, class Space>
@@ -142,7 +130,7 @@ Simulation<T, Space>::~Simulation() = default;
 
 template <class T, class Space>
 BodyId Simulation<T, Space>::add(Body<T, Space> body, const Dynamics& dynamics, const MaterialIn<T, Space>& material) {
-  check_material<T, Space>(material);
+  check(material);
   const bool movable = !body.fixed && !dynamics.kinematic && !body.trigger;
   SimulatedBody<T, Space> simulated;
   simulated.mass = body_mass(body.shape, dynamics, movable);
@@ -334,7 +322,7 @@ void Simulation<T, Space>::move_to(BodyId id, const typename Space::Pose& pose, 
 }
 template <class T, class Space>
 void Simulation<T, Space>::set_material(BodyId id, const MaterialIn<T, Space>& material) {
-  check_material<T, Space>(material);
+  check(material);
   const std::uint32_t index = parts_->checked(id);
   parts_->bodies[index].material = material;
   parts_->wake_around(index);

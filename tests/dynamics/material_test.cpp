@@ -1,7 +1,13 @@
-// Materials: the rules by which two become one.
+// Materials: the rules by which two become one, and those that are refused.
+#include "graze/material.hpp"
+
 #include <gtest/gtest.h>
 
-#include "graze/material.hpp"
+#include <limits>
+#include <string>
+
+#include "graze/plane/vec2.hpp"
+#include "graze/validate.hpp"
 
 namespace graze::testing {
 namespace {
@@ -40,6 +46,32 @@ TEST(Material, NumbersAreCombinedEachByItsOwnRule) {
   EXPECT_EQ(both.static_friction, 0.6);
   EXPECT_EQ(both.dynamic_friction, 0.6 * 0.2);
   EXPECT_EQ(both.rolling_friction, 0.01);
+}
+
+/// The border of what is accepted, in the plane as in space.
+TEST(Material, NumbersThatMakeNoSenseAreRefused) {
+  const auto refuses = [](const auto& material, const char* path) {
+    try {
+      check(material);
+      ADD_FAILURE() << path;
+    } catch (const InvalidValue& e) {
+      EXPECT_NE(std::string(e.what()).find(path), std::string::npos) << e.what();
+    }
+  };
+  Material<float> good;
+  good.static_friction = good.rolling_friction = 0;
+  good.restitution = 1;
+  EXPECT_NO_THROW(check(good));
+  Material<float> bouncing = good;
+  bouncing.restitution = 1.0000001f;
+  refuses(bouncing, "restitution");
+  Material<double, plane::Vec2<double>> pulling;
+  EXPECT_NO_THROW(check(pulling));
+  pulling.dynamic_friction = -1e-300;
+  refuses(pulling, "dynamic_friction");
+  pulling.dynamic_friction = 0;
+  pulling.surface_velocity.x = std::numeric_limits<double>::infinity();
+  refuses(pulling, "surface_velocity");
 }
 
 }  // namespace

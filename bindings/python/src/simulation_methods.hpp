@@ -207,20 +207,14 @@ in the body's frame. Raises ValueError for a combine mode or a number that is no
         .def(py::init([](double static_friction, double dynamic_friction, double restitution, double rolling_friction,
                          const std::string& friction_combine, const std::string& restitution_combine,
                          const Vector& surface_velocity) {
-               const auto positive = [](double value, const char* path) {
-                 if (!(value >= 0 && std::isfinite(value))) validate::fail(path, "a finite number >= 0", value);
-                 return value;
-               };
-               if (!(restitution >= 0 && restitution <= 1))
-                 validate::fail("restitution", "a number from 0 to 1", restitution);
-               Material material;
-               material.static_friction = positive(static_friction, "static_friction");
-               material.dynamic_friction = positive(dynamic_friction, "dynamic_friction");
-               material.restitution = restitution;
-               material.rolling_friction = positive(rolling_friction, "rolling_friction");
-               material.friction_combine = combine_of(friction_combine, "friction_combine");
-               material.restitution_combine = combine_of(restitution_combine, "restitution_combine");
-               material.surface_velocity = Words::checked(surface_velocity, "surface_velocity");
+               const Material material{static_friction,
+                                       dynamic_friction,
+                                       restitution,
+                                       rolling_friction,
+                                       combine_of(friction_combine, "friction_combine"),
+                                       combine_of(restitution_combine, "restitution_combine"),
+                                       Words::checked(surface_velocity, "surface_velocity")};
+               check(material);
                return material;
              }),
              py::arg("static_friction") = usual.static_friction, py::arg("dynamic_friction") = usual.dynamic_friction,
