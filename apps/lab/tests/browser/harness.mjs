@@ -54,7 +54,9 @@ export async function accessible(page, look = "light") {
 /** Opens a page of the lab, with axe in it if `axe` says so; `files` lie beside it, by their names, as `graze view` serves
  *  them: bytes, or a function for the answer to each request. */
 export async function visit(hash, { files = {}, ...options } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  // axe would look at what fades from one theme to the other halfway.
+  const still = options.axe ? { reducedMotion: "reduce" } : {};
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...still, ...options });
   context.setDefaultTimeout(120_000); // on a machine whose processors have ten times as much to do, a page takes half a minute
   const page = await context.newPage();
   if (options.axe) await page.addInitScript(axe);
