@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 79576802612215044u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 13403800250337277745u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 1080960067308659242u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 3674562862186429967u;
 
 template <class T>
 class MovingRun {

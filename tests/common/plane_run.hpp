@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 17649001413237664719u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 298555735653240561u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 2109889579241454491u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 18044949360228677999u;
 
 }  // namespace graze::testing
 
