@@ -1,7 +1,7 @@
 // Materials of surfaces, and the combined material of a contact.
 //
-// Guarantee: plain values, which `check` refuses where they make no sense. The order of the two materials does not change
-// a bit.
+// Guarantee: plain values, which `check` refuses where they make no sense. The order of the two materials does not
+// change a bit.
 #pragma once
 
 #include "graze/vec3.hpp"
@@ -25,8 +25,8 @@ struct Material {
   Vec surface_velocity{};  ///< velocity of a conveyor's surface, in the body's frame
 };
 
-/// Refuses a material of which a number makes no sense. Throws `InvalidValue` that names it: frictions that are negative
-/// or not finite, a restitution outside of 0 to 1, and a surface velocity that is not finite or too large.
+/// Refuses a material of which a number makes no sense. Throws `InvalidValue` that names it: frictions that are
+/// negative or not finite, a restitution outside of 0 to 1, and a surface velocity that is not finite or too large.
 template <class T, class Vec>
 void check(const Material<T, Vec>& material);
 
