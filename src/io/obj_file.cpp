@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "graze/error.hpp"
 #include "draw/cut_polygon.hpp"
+#include "graze/error.hpp"
 #include "io/text_lines.hpp"
 
 namespace graze::io {

@@ -38,9 +38,8 @@ std::string read(std::string_view elements) {
 extern "C" {
 
 /// Reads a drawing of `length` bytes; returns where the scene's bytes are, and writes their number to `count`.
-__attribute__((export_name("graze_js_plane_scene"))) const char* graze_js_plane_scene(const char* elements,
-                                                                                      std::size_t length,
-                                                                                      std::size_t* count) {
+__attribute__((export_name("graze_js_plane_scene"))) const char*
+graze_js_plane_scene(const char* elements, std::size_t length, std::size_t* count) {
   scene = read({elements, length});
   *count = scene.size();
   return scene.data();
