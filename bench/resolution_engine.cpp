@@ -11,6 +11,7 @@
 #endif
 
 #include "graze/simulation.hpp"
+#include "resolution_bowl.hpp"
 #include "threads.hpp"
 
 namespace graze::bench {
@@ -34,29 +35,6 @@ ThingMass mass_of(const Thing& thing) {
   case Form::bowl: break;
   }
   return {};
-}
-
-Bowl bowl_of(double radius) {
-  constexpr std::uint32_t rings = 8, around = 32;
-  constexpr double quarter = 1.5707963267948966;
-  Bowl bowl{{{0, -radius, 0}}, {}};
-  for (std::uint32_t ring = 1; ring <= rings; ++ring)
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const double polar = quarter * ring / rings, turned = 4 * quarter * i / around;
-      bowl.points.push_back(
-          Vec3d{std::sin(polar) * std::cos(turned), -std::cos(polar), std::sin(polar) * std::sin(turned)} * radius);
-    }
-  const auto point = [](std::uint32_t ring, std::uint32_t i) {
-    return ring == 0 ? 0 : 1 + (ring - 1) * around + i % around;
-  };
-  for (std::uint32_t ring = 0; ring < rings; ++ring)
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const std::uint32_t low = point(ring, i), low_next = point(ring, i + 1), high = point(ring + 1, i),
-                          high_next = point(ring + 1, i + 1);
-      bowl.indices.insert(bowl.indices.end(), {low, high_next, high});
-      if (ring > 0) bowl.indices.insert(bowl.indices.end(), {low, low_next, high_next});
-    }
-  return bowl;
 }
 
 namespace {
@@ -96,19 +74,10 @@ class GrazeEngine final : public Engine {
     case Form::ball: return Sphere<T>(x);
     case Form::cylinder: return Cylinder<T>(y, x);
     case Form::floor: return HalfSpace<T>();
-    case Form::bowl: return bowl(thing.size.x);
+    case Form::bowl: return bowl_of(thing.size.x).template mesh<T>();
     case Form::box: break;
     }
     return Box<T>(converted<T>(thing.size));
-  }
-  static Mesh<T> bowl(double radius) {
-    const Bowl made = bowl_of(radius);
-    std::vector<Vec3<T>> points;
-    for (const Vec3d& p : made.points) points.push_back(converted<T>(p));
-    std::vector<typename Mesh<T>::Index> triangles;
-    for (std::size_t i = 0; i < made.indices.size(); i += 3)
-      triangles.push_back({made.indices[i], made.indices[i + 1], made.indices[i + 2]});
-    return Mesh<T>(std::move(points), std::move(triangles));
   }
   std::unique_ptr<Executor> executor_;
   Simulation<T> simulation_;

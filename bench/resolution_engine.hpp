@@ -4,7 +4,6 @@
 // damped. Poses and velocities are of the centre of mass, in double precision whatever the engine computes in.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -34,14 +33,6 @@ struct ThingMass {
 };
 ThingMass mass_of(const Thing& thing);
 
-/// The inside of the lower half of a sphere about the origin: rings of flat triangles, counterclockwise seen from
-/// inside.
-struct Bowl {
-  std::vector<Vec3d> points;
-  std::vector<std::uint32_t> indices;  ///< three a triangle
-};
-Bowl bowl_of(double radius);
-
 struct Moving {
   Posed pose;
   Vec3d linear, angular;
@@ -61,7 +52,7 @@ class Engine {
   virtual void step(double dt) = 0;
   virtual Moving moving(std::size_t body) const = 0;
   virtual bool asleep(std::size_t body) const = 0;
-  /// What puts the engine back to how it is now; nothing of one that cannot be put back.
+  /// A function that puts the engine back to how it is now; an empty one where that cannot be done.
   virtual std::function<void()> saved() { return {}; }
 };
 

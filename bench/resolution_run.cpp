@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graze/world.hpp"
+#include "resolution_bowl.hpp"
 #include "table.hpp"
 
 namespace graze::bench {
@@ -69,17 +70,6 @@ double Run::greatest_move() const {
   return most;
 }
 
-namespace {
-
-Mesh<double> mesh_of(const Bowl& bowl) {
-  std::vector<Mesh<double>::Index> triangles;
-  for (std::size_t i = 0; i < bowl.indices.size(); i += 3)
-    triangles.push_back({bowl.indices[i], bowl.indices[i + 1], bowl.indices[i + 2]});
-  return Mesh<double>(bowl.points, std::move(triangles));
-}
-
-}  // namespace
-
 double Run::deepest() const {
   Worldd world;
   for (std::size_t i = 0; i < things_.size(); ++i) {
@@ -88,7 +78,7 @@ double Run::deepest() const {
     if (t.form == Form::ball) shape = Sphere<double>(t.size.x);
     if (t.form == Form::cylinder) shape = Cylinder<double>(t.size.y, t.size.x);
     if (t.form == Form::floor) shape = HalfSpace<double>();
-    if (t.form == Form::bowl) shape = mesh_of(bowl_of(t.size.x));
+    if (t.form == Form::bowl) shape = bowl_of(t.size.x).mesh<double>();
     world.add({.shape = shape, .pose = moving(i).pose, .fixed = t.density == 0});
   }
   world.update();

@@ -30,7 +30,8 @@ struct SimulationSettings {
   typename Space::Vec gravity{T(0), T(-9.81)};  ///< an acceleration
   int sub_steps = 4;                            ///< least number of sub-steps of a step; a power of two
   int most_sub_steps = 64;                      ///< largest number of sub-steps, for an island under load; a power of
-                                                ///< two; more than 16 only where bodies stand high on each other
+                                                ///< two; more than 16 only where bodies stand high on each other or
+                                                ///< fall by much of their size in a sub-step
   bool sleep = true;                            ///< islands at rest cost nothing and do not move
   bool continuous = true;                       ///< fast bodies do not pass through others
   T longest_step = T(1);                        ///< longer steps are refused

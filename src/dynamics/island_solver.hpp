@@ -28,9 +28,8 @@ class IslandSolver {
   void add(const TouchingBodies<T, Space>& touching, std::span<const ContactManifold<T, Space>> manifolds);
   void add(JointInPlace<T, Space>& joint, std::uint32_t a, std::uint32_t b);
 
-  /// Chooses the least number of sub-steps with which, by the impulses of the last step, no contact sinks visibly: from
-  /// `least` to `most`, no fewer than one below the last step's. `share`: the part of
-  /// the last step's impulses that this step has.
+  /// Chooses the number of sub-steps by the impulses of the last step (sub_step_count.hpp), from `least` to `most`.
+  /// `share`: the part of those impulses that this step has.
   void choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share, int least, int most);
   void solve(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share);
   /// Writes the impulses to the world's points and to the joints.

@@ -42,7 +42,7 @@ constexpr T standing_speed = T(0.1);
 template <class T>
 constexpr T calm_speed = T(0.01);
 
-/// What speaks for more sub-steps than a count.
+/// Reasons for more sub-steps than a count.
 template <class T>
 struct Need {
   const IslandLoad<T>& load;

@@ -5,7 +5,7 @@
 
 namespace graze {
 
-/// What the contacts of an island bore in the last step.
+/// The load that the contacts of an island bore in the last step.
 template <class T>
 struct IslandLoad {
   T strain{};             ///< greatest of a contact: force times inverse masses, of the smaller body's size

@@ -75,18 +75,19 @@ void expect_that_towers_grow(bool moved) {
     Simulation<T> s(settings<T>());
     add_floor<T>(s);
     std::vector<BodyId> boxes;
+    const auto place = [](int i, double apart) { return Pose<T>{{T(0), T(0.5) + T(i) * T(apart), T(0)}, {}}; };
     for (int i = 0; i < 10; ++i)
-      boxes.push_back(
-          s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5) + T(i) * T(moved ? 2 : 1 - overlap), T(0)}, {}}}));
-    if (moved) s.step(T(dt));
-    for (int i = 0; moved && i < 10; ++i)
-      s.set_pose(boxes[static_cast<std::size_t>(i)], {{T(0), T(0.5) + T(i) * T(1 - overlap), T(0)}, {}});
+      boxes.push_back(s.add({Box<T>({T(1), T(1), T(1)}), place(i, moved ? 2 : 1 - overlap)}));
+    if (moved) {
+      s.step(T(dt));
+      for (int i = 0; i < 10; ++i) s.set_pose(boxes[static_cast<std::size_t>(i)], place(i, 1 - overlap));
+    }
     T fastest(0), highest(0);
     for (int i = 0; i < 5 * 64; ++i) {
       s.step(T(dt));
       for (const BodyId id : boxes) {
-        // Later what was put in by half falls to a side, and bounces.
-        if (i < 64) fastest = std::max(fastest, s.motion(id).linear.y);
+        // A tower that was put in by half falls to a side later, and its boxes bounce.
+        if (overlap <= 0.1 || i < 64) fastest = std::max(fastest, s.motion(id).linear.y);
         highest = std::max(highest, s.poses()[id.index].translation.y);
       }
     }

@@ -8,7 +8,8 @@ import { join } from "node:path";
 import { beyond, drawn, files, press, scene, showsAxis } from "./scene-page.mjs";
 import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
-/** Fifteen boxes that fall into a heap: two seconds, as a program captures them, which names the floor; and how many pairs overlap then. */
+/** Fifteen boxes that fall into a heap: two seconds, as a program captures them, which names the floor; and how many
+ *  pairs overlap then. */
 function capturedHeap(steps = 120) {
   const frames = [];
   const simulation = new graze.Simulation({ capture: (bytes) => frames.push(bytes) });
