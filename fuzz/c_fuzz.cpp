@@ -107,6 +107,7 @@ struct Calls {
   GrazeBufferd* buffer = nullptr;
   GrazeTrace* trace = nullptr;
   GrazeBroadPhased* broad = nullptr;
+  GrazePairChangesd* changes = nullptr;
   GrazeWorldd* world = nullptr;
   GrazePlaneWorldd* plane_world = nullptr;
   GrazeSimulationd* simulation = nullptr;
@@ -143,6 +144,7 @@ struct Calls {
     graze_plane_world_destroy_d(plane_world);
     graze_buffer_destroy_d(buffer);
     graze_broad_phase_destroy_d(broad);
+    graze_pair_changes_destroy_d(changes);
     graze_trace_destroy(trace);
     if (!captured) return;
     for (const std::string& file : files) {
@@ -287,7 +289,7 @@ struct Calls {
     const GrazeBroadPhasePartd* parts;
     std::size_t count = 0;
     switch (in.byte() % 8) {
-    case 0:
+    case 0: ask_changes(); break;
     case 1: told(graze_broad_phase_insert_d(broad, id, in.maybe(&around))); break;
     case 2: told(graze_broad_phase_move_d(broad, id, in.maybe(&around))); break;
     case 3: told(graze_broad_phase_remove_d(broad, id)); break;
@@ -303,6 +305,22 @@ struct Calls {
       told(graze_broad_phase_pairs_d(broad, in.maybe(buffer), &pairs, &count));
       if (told(graze_broad_phase_query_d(broad, in.maybe(&around), buffer, &ids, &count)) && count > 0)
         require(graze_broad_phase_insert_d(broad, ids[0], &around) == GRAZE_INVALID_VALUE);
+    }
+  }
+
+  void ask_changes() {
+    if (changes == nullptr) told(graze_pair_changes_create_d(in.choice<GrazeBroadPhaseKind>(6), in.maybe(&changes)));
+    const GrazeAabbd around = box();
+    const std::uint32_t id = in.byte() % 16;
+    const GrazeIdPair *begun, *ended;
+    std::size_t count = 0, ended_count = 0;
+    switch (in.byte() % 4) {
+    case 0: told(graze_pair_changes_insert_d(changes, id, in.maybe(&around))); break;
+    case 1: told(graze_pair_changes_move_d(changes, id, in.maybe(&around))); break;
+    case 2: told(graze_pair_changes_remove_d(changes, id)); break;
+    default:
+      if (told(graze_pair_changes_find_d(changes, in.maybe(buffer), &begun, &count, in.maybe(&ended), &ended_count)))
+        for (std::size_t i = 0; i < count; ++i) require(begun[i].a < begun[i].b);
     }
   }
 
@@ -341,6 +359,8 @@ struct Calls {
     GrazeResponsed response;
     GrazeMotiond after;
     told(graze_inverse_mass_d(in.length(), in.vector(), in.pose().rotation, in.maybe(&inverse)));
+    const GrazeMat3d tensor{{in.vector(), in.vector(), in.vector()}};
+    if (in.byte() < 32) told(graze_inverse_mass_of_tensor_d(in.length(), in.maybe(&tensor), {0, 0, 0, 1}, &inverse));
     if (in.byte() < 64) told(graze_inverse_mass_of_shape_d(shape(), in.length(), in.pose().rotation, &inverse));
     const GrazeStruckBodyd ground{}, body{{in.vector(), in.vector(), in.vector()}, inverse};
     const GrazeStruckContactd contact{in.vector(), in.vector(), in.length(), in.length()};
@@ -448,8 +468,9 @@ struct Calls {
     if (told(graze_compact_contacts_batch_d(&batch, in.length(), in.maybe(buffer), in.maybe(&compact))))
       for (std::size_t i = 0; i < compact.manifold_count; ++i)
         require(compact.manifolds[i].first_point + compact.manifolds[i].point_count <= compact.point_count);
-    if (told(graze_contacts_batch_d(&batch, in.length(), in.maybe(buffer), &contacts)))
-      require(contacts.pair_count == size);
+    const std::size_t most = in.byte();
+    if (told(graze_contacts_batch_reduced_d(&batch, in.length(), most, in.maybe(buffer), &contacts)))
+      require(contacts.pair_count == size && contacts.point_count <= most * size);
     const GrazePieceDistanced* pieces;
     const std::size_t* ends;
     if (told(graze_near_pieces_batch_d(&batch, in.length(), in.maybe(buffer), &pieces, in.maybe(&ends), &size)))

@@ -31,7 +31,8 @@ MARK = "# Written by scripts/write_python_stubs.py from the module: do not edit 
 PLANE_CLASSES = [
     "StruckBody", "Blow", "FreeBody", "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
 PLANE_FUNCTIONS = [
-    "along_lines", "cast_all", "feature_corners", "pass_on", "pose_at", "raycast_all", "raycast_any", "tessellate"]
+    "along_lines", "cast_all", "draw_cast", "draw_joint", "draw_ray", "feature_corners", "pass_on", "pose_at", "raycast_all",
+    "raycast_any", "tessellate"]
 # What pybind11 calls things, and what they are called in Python.
 NAMES = [
     (r"\bgraze\.(_graze|plane)\.", ""),
@@ -41,7 +42,7 @@ NAMES = [
     (r"\bTuple\b", "tuple"),
     (r"\bList\b", "list"),
     (r"\bDict\b", "dict"),
-    (r"\bOptional\[([^\[\]]*)\]", r"\1 | None"),
+    (r"\bOptional\[((?:[^\[\]]|\[[^\[\]]*\])*)\]", r"\1 | None"),
     (r"\bhandle\b|\bobject\b", "Any"),
     (r"\bfunction\b", "Callable[..., Any]"),
     (r"\biterable\b", "Iterable[Any]"),

@@ -347,7 +347,9 @@ export type Places = ArrayLike<number>;
 /** 1 or 0 for each pair. */
 export function overlapBatch(a: Bodies, b: Bodies, places?: Places): Uint8Array;
 export function distanceBatch(a: Bodies, b: Bodies, places?: Places): Batch<Distance>;
-export function contactsBatch(a: Bodies, b: Bodies, margin?: number, places?: Places): PairContacts[];
+/** The contacts of each pair; with `most` at most so many points of it, as `contacts` has them. */
+export function contactsBatch(
+  a: Bodies, b: Bodies, margin?: number, places?: Places, most?: number): PairContacts[];
 /** Contacts in few bytes, of the pairs that have any, without a copy: valid until the next call. The manifolds of a
  * pair are contiguous; pairs may come in another order than in the batch. */
 export function compactContactsBatch(
@@ -643,8 +645,9 @@ export interface StruckContact {
 export interface StruckBody {
   /** The mass; Infinity for a body that does not move. */
   readonly mass: number;
-  /** The diagonal in the frame `rotation`; absent: that of `shape`, which is then needed unless the mass is infinite. */
-  readonly inertia?: Vec3Like;
+  /** The diagonal of the inertia in the frame `rotation`, or the tensor by rows; absent: that of `shape`, which is then
+   * needed unless the mass is infinite. */
+  readonly inertia?: Vec3Like | Mat3;
   readonly shape?: Shape;
   /** The place of the centre of mass. */
   readonly translation?: Vec3Like;
@@ -745,6 +748,17 @@ export class BroadPhase extends Handle {
    * the bytes held.
    */
   counts(): { boxes: number; pairs: number; tests: number; memory: number };
+}
+/** Changes of overlapping pairs from call to call, for data that is kept for each pair. Boxes are inserted, moved and
+ * removed as in a `BroadPhase`. */
+export class PairChanges extends Handle {
+  constructor(kind?: BroadPhaseKind);
+  readonly kind: BroadPhaseKind;
+  insert(id: number, lower: Vec3Like, upper: Vec3Like): void;
+  move(id: number, lower: Vec3Like, upper: Vec3Like): void;
+  remove(id: number): void;
+  /** The pairs that overlap and did not at the last call, and those that did and do not any more: two ids each. */
+  find(): { begun: Uint32Array; ended: Uint32Array };
 }
 
 // --- Worlds ---
@@ -1015,6 +1029,8 @@ export class Simulation extends Handle {
   /** The velocity of the centre of mass, the turning about it, and its place. */
   motion(id: BodyId): Motion;
   mass(id: BodyId): number;
+  /** The angular momentum about the centre of mass. */
+  angularMomentum(id: BodyId): Vec3;
   asleep(id: BodyId): boolean;
   /** The sub-steps of the body's island in the last step; 0 before its first. */
   subSteps(id: BodyId): number;
@@ -1166,7 +1182,7 @@ export declare namespace plane {
   function overlapBatch(a: Bodies, b: Bodies, places?: Places): Uint8Array;
   function distanceBatch(a: Bodies, b: Bodies, places?: Places): Batch<Distance>;
   function contactsBatch(
-    a: Bodies, b: Bodies, margin?: number, places?: Places): Pick<Contacts, "overlap" | "manifolds">[];
+    a: Bodies, b: Bodies, margin?: number, places?: Places, most?: number): Pick<Contacts, "overlap" | "manifolds">[];
   function closestBatch(shape: Shape, pose: PoseLike, points: Numbers | Points): Batch<Closest>;
   /** Casts rays of four numbers: origin and direction. */
   function raycastBatch(
@@ -1383,6 +1399,8 @@ export declare namespace plane {
     /** The velocity of the centre of mass, the turning about it, and its place. */
     motion(id: BodyId): { linear: Vec2; angular: number; center: Vec2 };
     mass(id: BodyId): number;
+    /** The angular momentum about the centre of mass. */
+    angularMomentum(id: BodyId): number;
     asleep(id: BodyId): boolean;
     /** The sub-steps of the body's island in the last step; 0 before its first. */
     subSteps(id: BodyId): number;

@@ -843,6 +843,9 @@ typedef struct GrazeResponsed {
 // The inverse mass. `mass` > 0, or INFINITY for an immovable body; `inertia` is the diagonal in the frame `rotation`.
 GRAZE_C_API GrazeStatus graze_inverse_mass_d(double mass, GrazeVec3d inertia, GrazeQuatd rotation,
                                              GrazeInverseMassd *inverse);
+// The inverse mass of a body with an inertia tensor in the frame `rotation`: symmetric and positive definite.
+GRAZE_C_API GrazeStatus graze_inverse_mass_of_tensor_d(double mass, const GrazeMat3d *inertia, GrazeQuatd rotation,
+                                                       GrazeInverseMassd *inverse);
 // The inverse mass of a shape with `mass` spread evenly, about its centre of mass.
 GRAZE_C_API GrazeStatus graze_inverse_mass_of_shape_d(const GrazeShaped *shape, double mass, GrazeQuatd rotation,
                                                       GrazeInverseMassd *inverse);
@@ -934,6 +937,9 @@ GRAZE_C_API GrazeStatus graze_overlap_batch_d(const GrazeBatchd *batch, uint8_t 
 GRAZE_C_API GrazeStatus graze_distance_batch_d(const GrazeBatchd *batch, GrazeDistanced *distances, size_t stride);
 GRAZE_C_API GrazeStatus graze_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                GrazeBatchContactsd *contacts);
+// The contacts, reduced to at most `most` >= 1 points a pair, as those of `graze_contacts_reduced_d`.
+GRAZE_C_API GrazeStatus graze_contacts_batch_reduced_d(const GrazeBatchd *batch, double margin, size_t most,
+                                                       GrazeBufferd *buffer, GrazeBatchContactsd *contacts);
 GRAZE_C_API GrazeStatus graze_compact_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                        GrazeCompactContactsd *contacts);
 // The pieces of all pairs, those of a pair contiguous; `ends[i]`, one for each pair, is the end of the i-th pair's.
@@ -995,6 +1001,20 @@ GRAZE_C_API GrazeStatus graze_broad_phase_parts_d(const GrazeBroadPhased *broad,
 // Measures for comparing structures: number of boxes that the last call for pairs compared with another, and bytes
 // held.
 GRAZE_C_API GrazeStatus graze_broad_phase_counts_d(const GrazeBroadPhased *broad, uint64_t *tests, size_t *bytes);
+
+// Changes of overlapping pairs from call to call (graze/pair_changes.hpp), for callers who keep data for each pair.
+// Boxes are inserted, moved and removed as in a broad phase, and an instance has one of its own.
+typedef struct GrazePairChangesd GrazePairChangesd;
+
+GRAZE_C_API GrazeStatus graze_pair_changes_create_d(GrazeBroadPhaseKind kind, GrazePairChangesd **changes);
+GRAZE_C_API void graze_pair_changes_destroy_d(GrazePairChangesd *changes);
+GRAZE_C_API GrazeStatus graze_pair_changes_insert_d(GrazePairChangesd *changes, uint32_t id, const GrazeAabbd *box);
+GRAZE_C_API GrazeStatus graze_pair_changes_move_d(GrazePairChangesd *changes, uint32_t id, const GrazeAabbd *box);
+GRAZE_C_API GrazeStatus graze_pair_changes_remove_d(GrazePairChangesd *changes, uint32_t id);
+// The pairs that overlap and did not at the last call, and those that did and do not any more.
+GRAZE_C_API GrazeStatus graze_pair_changes_find_d(GrazePairChangesd *changes, GrazeBufferd *buffer,
+                                                  const GrazeIdPair **begun, size_t *begun_count,
+                                                  const GrazeIdPair **ended, size_t *ended_count);
 
 // Worlds (graze/world.hpp) --------------------------------------------------------------------------------------------
 
@@ -1584,6 +1604,9 @@ GRAZE_C_API GrazeStatus graze_plane_distance_batch_d(const GrazePlaneBatchd *bat
                                                      size_t stride);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_d(const GrazePlaneBatchd *batch, double margin,
                                                      GrazeBufferd *buffer, GrazePlaneBatchContactsd *contacts);
+GRAZE_C_API GrazeStatus graze_plane_contacts_batch_reduced_d(const GrazePlaneBatchd *batch, double margin, size_t most,
+                                                             GrazeBufferd *buffer,
+                                                             GrazePlaneBatchContactsd *contacts);
 // Batches of one shape and many points or rays, and of many moving pairs, as in space.
 GRAZE_C_API GrazeStatus graze_plane_closest_batch_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                     const GrazeVec2d *points, size_t point_stride, size_t count,
@@ -2321,6 +2344,8 @@ typedef struct GrazeResponsef {
 
 GRAZE_C_API GrazeStatus graze_inverse_mass_f(float mass, GrazeVec3f inertia, GrazeQuatf rotation,
                                              GrazeInverseMassf *inverse);
+GRAZE_C_API GrazeStatus graze_inverse_mass_of_tensor_f(float mass, const GrazeMat3f *inertia, GrazeQuatf rotation,
+                                                       GrazeInverseMassf *inverse);
 GRAZE_C_API GrazeStatus graze_inverse_mass_of_shape_f(const GrazeShapef *shape, float mass, GrazeQuatf rotation,
                                                       GrazeInverseMassf *inverse);
 GRAZE_C_API GrazeStatus graze_response_f(const GrazeStruckContactf *contact, const GrazeStruckBodyf *a,
@@ -2391,6 +2416,8 @@ GRAZE_C_API GrazeStatus graze_overlap_batch_f(const GrazeBatchf *batch, uint8_t 
 GRAZE_C_API GrazeStatus graze_distance_batch_f(const GrazeBatchf *batch, GrazeDistancef *distances, size_t stride);
 GRAZE_C_API GrazeStatus graze_contacts_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
                                                GrazeBatchContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_contacts_batch_reduced_f(const GrazeBatchf *batch, float margin, size_t most,
+                                                       GrazeBufferf *buffer, GrazeBatchContactsf *contacts);
 GRAZE_C_API GrazeStatus graze_compact_contacts_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
                                                        GrazeCompactContactsf *contacts);
 GRAZE_C_API GrazeStatus graze_near_pieces_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
@@ -2433,6 +2460,17 @@ GRAZE_C_API GrazeStatus graze_broad_phase_sweep_f(const GrazeBroadPhasef *broad,
 GRAZE_C_API GrazeStatus graze_broad_phase_parts_f(const GrazeBroadPhasef *broad, GrazeBufferf *buffer,
                                                   const GrazeBroadPhasePartf **parts, size_t *count);
 GRAZE_C_API GrazeStatus graze_broad_phase_counts_f(const GrazeBroadPhasef *broad, uint64_t *tests, size_t *bytes);
+
+typedef struct GrazePairChangesf GrazePairChangesf;
+
+GRAZE_C_API GrazeStatus graze_pair_changes_create_f(GrazeBroadPhaseKind kind, GrazePairChangesf **changes);
+GRAZE_C_API void graze_pair_changes_destroy_f(GrazePairChangesf *changes);
+GRAZE_C_API GrazeStatus graze_pair_changes_insert_f(GrazePairChangesf *changes, uint32_t id, const GrazeAabbf *box);
+GRAZE_C_API GrazeStatus graze_pair_changes_move_f(GrazePairChangesf *changes, uint32_t id, const GrazeAabbf *box);
+GRAZE_C_API GrazeStatus graze_pair_changes_remove_f(GrazePairChangesf *changes, uint32_t id);
+GRAZE_C_API GrazeStatus graze_pair_changes_find_f(GrazePairChangesf *changes, GrazeBufferf *buffer,
+                                                  const GrazeIdPair **begun, size_t *begun_count,
+                                                  const GrazeIdPair **ended, size_t *ended_count);
 
 typedef struct GrazeWorldf GrazeWorldf;
 
@@ -2941,6 +2979,9 @@ GRAZE_C_API GrazeStatus graze_plane_distance_batch_f(const GrazePlaneBatchf *bat
                                                      size_t stride);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_f(const GrazePlaneBatchf *batch, float margin,
                                                      GrazeBufferf *buffer, GrazePlaneBatchContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_plane_contacts_batch_reduced_f(const GrazePlaneBatchf *batch, float margin, size_t most,
+                                                             GrazeBufferf *buffer,
+                                                             GrazePlaneBatchContactsf *contacts);
 GRAZE_C_API GrazeStatus graze_plane_closest_batch_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                                     const GrazeVec2f *points, size_t point_stride, size_t count,
                                                     GrazePlaneClosestf *closest, size_t closest_stride);

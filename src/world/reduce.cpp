@@ -97,12 +97,18 @@ void plane::reduce(Manifolds<T>& manifolds, std::size_t count) {
   reduce_manifolds<T, Space<T>>(manifolds, count);
 }
 
+template <class T>
+void plane::reduce(BatchContacts<T>& contacts, std::size_t count) {
+  reduce_arrays<T, Space<T>>(contacts, count);
+}
+
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void reduce(Manifolds<T>&, std::size_t);                                                                    \
   template void reduce(BatchContacts<T>&, std::size_t);                                                                \
   template void reduce(ContactArrays<T>&, std::size_t);                                                                \
   template void reduce(ContactArrays<T, plane::Space<T>>&, std::size_t);                                               \
-  template void plane::reduce(plane::Manifolds<T>&, std::size_t);
+  template void plane::reduce(plane::Manifolds<T>&, std::size_t);                                                      \
+  template void plane::reduce(plane::BatchContacts<T>&, std::size_t);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

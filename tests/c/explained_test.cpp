@@ -191,6 +191,15 @@ TEST(BlowsInC, AreThoseOfCpp) {
   OK(graze_inverse_mass_of_shape_d(crate, 12, {0, 0, 0, 1}, &inverse));
   EXPECT_DOUBLE_EQ(inverse.mass, 1.0 / 12);
   EXPECT_DOUBLE_EQ(inverse.inertia.row[2].z, 1.0 / 5);
+  const GrazeMat3d tensor{{{5, 0, 0}, {0, 2, 0}, {0, 0, 5}}}, lopsided{{{5, 1, 0}, {0, 2, 0}, {0, 0, 5}}};
+  GrazeInverseMassd of_tensor;
+  OK(graze_inverse_mass_of_tensor_d(12, &tensor, {0, 0, 0, 1}, &of_tensor));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_DOUBLE_EQ(of_tensor.inertia.row[i].x, inverse.inertia.row[i].x);
+    EXPECT_DOUBLE_EQ(of_tensor.inertia.row[i].y, inverse.inertia.row[i].y);
+    EXPECT_DOUBLE_EQ(of_tensor.inertia.row[i].z, inverse.inertia.row[i].z);
+  }
+  EXPECT_EQ(graze_inverse_mass_of_tensor_d(12, &lopsided, {0, 0, 0, 1}, &of_tensor), GRAZE_INVALID_VALUE);
   const GrazeStruckBodyd ground{}, falling{{{1, -3, 0}, {0, 0, 0.5}, {-0.5, 1, 0}}, inverse};
   const GrazeStruckContactd contact{{0, 0, 0}, {0, 1, 0}, 0.25, 0.6};
   GrazeResponsed c;

@@ -457,6 +457,7 @@ export const checks = [
       const touch = entry.overlapBatch(bodies, bodies, places);
       const distances = entry.distanceBatch(bodies, bodies, places);
       const contacts = entry.contactsBatch(bodies, bodies, 0.25, places);
+      const fewer = entry.contactsBatch(bodies, bodies, 0.25, places, 2);
       equal([touch.length, distances.length, contacts.length], [count, count, count], "lengths");
       const compact = entry.compactContactsBatch(bodies, bodies, 0.25, places);
       const [compactManifolds, compactPoints] = [[...compact.manifolds], [...compact.points]];
@@ -477,6 +478,7 @@ export const checks = [
         equal(distances.view[i * distances.stride + distances.offset.distance], alone.distance, "distance in memory");
         const { overlap, manifolds } = entry.contacts(...pair, 0.25);
         equal(contacts[i], { overlap, manifolds }, "contacts");
+        equal(fewer[i].manifolds, entry.contacts(...pair, 0.25, 2).manifolds, "at most two points");
         touching += touch[i];
       }
       ok(touching > 0 && touching < count, "that some touch and some do not");
@@ -636,6 +638,9 @@ export const checks = [
     equal(told.atFault, "b", "who moves into whom");
     const moved = graze.applyImpulse({ mass: 2, inertia: [1, 1, 1] }, [0, 4, 0], [1, 0, 0]);
     close([moved.linear, moved.angular], [0, 2, 0, 0, 0, 4], 1e-12, "impulse");
+    const tensor = [[2, 1, 0], [1, 2, 0], [0, 0, 4]];
+    const turned = graze.applyImpulse({ mass: 2, inertia: tensor }, [0, 0, 3], [1, 0, 0]);
+    close(turned.angular, [1, -2, 0], 1e-12, "a tensor times the change of the turning is the angular impulse");
     throws(() => graze.response({ point: [0, 0, 0], normal: [0, 1, 0] }, { mass: 1 }, { mass: 1 }),
            "a.inertia: expected three numbers, or a shape, got undefined");
   }],
@@ -683,11 +688,13 @@ export const checks = [
       const touch = plane.overlapBatch(here, moved);
       const distances = plane.distanceBatch(here, moved);
       const contacts = plane.contactsBatch(here, moved, 0.25);
+      const deepest = plane.contactsBatch(here, moved, 0.25, undefined, 1);
       translations.forEach((translation, i) => {
         const pair = [shapes[0], {}, each[i], { translation }];
         equal(touch[i] === 1, plane.overlap(...pair), "overlap");
         equal(distances.at(i), plane.distance(...pair), "distance");
         equal(contacts[i].manifolds, plane.contacts(...pair, 0.25).manifolds, "contacts");
+        equal(deepest[i].manifolds, plane.contacts(...pair, 0.25, 1).manifolds, "at most one point");
       });
       ok(touch.includes(1) && touch.includes(0), "that some touch and some do not");
       const numbers = turned.flatMap((angle, i) => [...translations[i], Math.cos(angle), Math.sin(angle)]);
@@ -749,6 +756,40 @@ export const checks = [
         throws(() => broad.remove(3), "id: expected an id that was inserted, got 3", entry.InvalidValue);
         broad.dispose();
       }
+  }],
+
+  ["changes of pairs are the differences of all pairs", ({ graze, queries }) => {
+    for (const entry of [graze, queries]) {
+      const next = random(8);
+      const [changes, broad] = [new entry.PairChanges("hashedGrid"), new entry.BroadPhase()];
+      const box = () => {
+        const lower = vector(next, 4);
+        return [lower, lower.map((x) => x + next() * 2)];
+      };
+      let before = new Set();
+      let all = 0;
+      for (let frame = 0; frame < 4; ++frame) {
+        for (let id = frame; id < 100; id += frame === 0 ? 1 : 7) {
+          const where = box();
+          for (const one of [changes, broad]) frame === 0 ? one.insert(id, ...where) : one.move(id, ...where);
+        }
+        if (frame === 2) for (const one of [changes, broad]) one.remove(50);
+        const texts = (pairs) => Array.from({ length: pairs.length / 2 }, (_, i) => `${pairs[2 * i]} ${pairs[2 * i + 1]}`);
+        const now = new Set(texts(broad.pairs()));
+        const { begun, ended } = changes.find();
+        equal(texts(begun), [...now].filter((pair) => !before.has(pair)), "begun");
+        equal(texts(ended), [...before].filter((pair) => !now.has(pair)), "ended");
+        all += begun.length + ended.length;
+        before = now;
+      }
+      ok(all > 100, "that pairs begin and end");
+      throws(() => changes.remove(50), "id: expected an id that was inserted, got 50", entry.InvalidValue);
+      throws(
+        () => new entry.PairChanges("tree"),
+        "pairChanges.kind: expected one of dynamicTree, sortAndSweep, sweepAndPrune, hashedGrid, looseOctree, bsp, got \"tree\"",
+        entry.InvalidValue);
+      changes.dispose(), broad.dispose();
+    }
   }],
 
   ["a world", ({ graze, double, queries }) => {
@@ -861,6 +902,8 @@ export const checks = [
       equal(simulation.pose(crate), end, "the same bits again");
       simulation.applyImpulse(crate, [3, 0, 0], end.translation);
       close(simulation.motion(crate).linear[0], 1, 1e-5, "pushed");
+      simulation.applyAngularImpulse(crate, [0, 0.25, 0]);
+      close(simulation.angularMomentum(crate), [0, 0.25, 0], 1e-5, "angular momentum");
       simulation.setVelocity(crate, { linear: [0, 1, 0] });
       close(simulation.motion(crate).linear, [0, 1, 0], 1e-6, "velocity");
       throws(() => simulation.step(-1), "dt: expected a number > 0 and at most longest_step, got -1", entry.InvalidValue);
@@ -1033,6 +1076,7 @@ export const checks = [
       close(simulation.motion(crate).linear[0], 1, 1e-5, "pushed");
       simulation.applyAngularImpulse(crate, 0.25);
       close(simulation.motion(crate).angular, 0.5, 1e-5, "turned");
+      close(simulation.angularMomentum(crate), 0.25, 1e-5, "angular momentum");
       simulation.setVelocity(crate, { linear: [0, 1], angular: -1 });
       close([simulation.motion(crate).linear, simulation.motion(crate).angular], [[0, 1], -1], 1e-6, "velocity");
       throws(() => simulation.add({ shape: new plane.Box([1, 1]) }, { inertia: -1 }), "inertia: expected a number > 0 with a finite inverse, got -1", InvalidValue);

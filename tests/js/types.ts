@@ -5,9 +5,9 @@ import {
   advance, alongPlanes, angularVelocity, applyImpulse, Box, BroadPhase, Capsule, captureHead, cast, castAll, castBatch, closest,
   closestBatch, compactContactsBatch, Compound, contactMargin, contacts, contactsBatch, ConvexHull, Cylinder, distance,
   distanceBatch, distanceUpTo, draw, Ellipsoid, explain, featureCorners, freeBody, HalfSpace, Handle, HeightField, hullLayers,
-  init, InvalidValue, mayOverlap, memoryInUse, Mesh, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch, passOn, plane,
-  planeScene, poseAt, protocolShape, query, raycast, raycastAll, raycastAny, raycastBatch, Rectangle, replay, response, Segment,
-  Shape, shapeOfProtocol, Simulation, Sphere, State, tessellate, traced, Triangle, turned, UserConvex, version, within, World,
+  init, InvalidValue, mayOverlap, memoryInUse, Mesh, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch,
+  PairChanges, passOn, plane, planeScene, poseAt, protocolShape, query, raycast, raycastAll, raycastAny, raycastBatch, Rectangle,
+  replay, response, Segment, Shape, shapeOfProtocol, Simulation, Sphere, State, tessellate, traced, Triangle, turned, UserConvex, version, within, World,
 } from "graze/double";
 import type {
   Aabb, Batch, Blow, Bodies, Body, BodyId, BroadPhaseKind, Capture, CastHit, CastOptions, Certainty, Child, Closest, Combine,
@@ -124,7 +124,7 @@ const compact = compactContactsBatch(many, many, 0, places);
 const compactManifolds: Rows<CompactManifold> = compact.manifolds;
 const compactPoints: Rows<CompactPoint> = compact.points;
 expect(compactManifolds.at(0).pair === 0 && compactPoints.at(0).distance === -2, "in few bytes");
-const together: PairContacts[] = contactsBatch(many, many, 0, places);
+const together: PairContacts[] = contactsBatch(many, many, 0, places, 4);
 const piecesOf: PieceDistance[][] = nearPiecesBatch(many, many, 9, places);
 const closestOnes: Batch<Closest> = closestBatch(box, here, [[0, 3, 0], [0, 4, 0]]);
 const hits = raycastBatch(box, here, [-3, 0, 0, 1, 0, 0], rayOptions);
@@ -165,6 +165,10 @@ const kind: BroadPhaseKind = "sortAndSweep";
 const broad = kept(new BroadPhase(kind));
 broad.insert(3, [0, 0, 0], [1, 1, 1]);
 expect(broad.query([0, 0, 0], [2, 2, 2]).join() === "3", "a box is found");
+const changes = kept(new PairChanges(kind));
+changes.insert(3, [0, 0, 0], [1, 1, 1]);
+const { begun, ended }: { begun: Uint32Array; ended: Uint32Array } = changes.find();
+expect(begun.length + ended.length === 0, "a box alone");
 const filter: Filter = { category: 1, mask: 0xffn };
 const body: Body = { shape: ball, translation: [0, 0.4, 0], filter };
 const settings: WorldSettings = { margin: 0.1, pointsPerPair: 4, allow: (a: BodyId, b: BodyId) => a.index !== b.index };
@@ -189,6 +193,8 @@ refused(() => world.remove(0));
 // What a blow does.
 const struck: StruckBody = { mass: 1, shape: ball, linear: [0, -1, 0] };
 const wall: StruckBody = { mass: Infinity };
+const tilted: StruckBody = { mass: 1, inertia: [[2, 1, 0], [1, 2, 0], [0, 0, 1]] };
+expect(applyImpulse(tilted, [0, 0, 1], [0, 0, 0]).angular[2] === 0, "a tensor");
 const struckAt: StruckContact = { point: [0, -0.5, 0], normal: [0, 1, 0], restitution: 1 };
 const bounced: Response = response(struckAt, wall, struck);
 const motion: Motion = applyImpulse(struck, [0, 2, 0], [0, 0, 0]);
@@ -219,7 +225,8 @@ expect(report.awake === 2 && simulation.jointImpulses(id).length > 0, "a step");
 const known: Joint = simulation.joint(given(simulation.joints()[0], "a joint"));
 const hash: bigint = simulation.stateHash();
 const subSteps: number = simulation.subSteps(joint.a);
-expect(known.limits?.length === 1 && hash >= 0n && subSteps > 0, "what is known of a simulation");
+const spin: Vec3 = simulation.angularMomentum(joint.a);
+expect(known.limits?.length === 1 && hash >= 0n && subSteps > 0 && spin.length === 3, "what is known of a simulation");
 simulation.restore(state);
 const played: ReplayReport = replay(parts.reduce((all, bytes) => new Uint8Array([...all, ...bytes])));
 expect(played.difference === null && captureHead(given(parts[0], "a head")).simulation, "the run again");
@@ -274,7 +281,7 @@ expect(planeLeft[0] === 1 && planeOutline.loops.length === 1 && planeWay.kind ==
 expect(plane.featureCorners(square, planePoint.feature >>> 16).length > 0, "corners of the plane");
 const planeMany: plane.Bodies = { shapes: square, poses: [0, 0, 1, 0, 5, 0, 1, 0] };
 expect(plane.overlapBatch(planeMany, planeMany, places).join() === "1,0", "a batch of the plane");
-expect(plane.contactsBatch(planeMany, planeMany, 0, places).length === 2, "contacts of the plane");
+expect(plane.contactsBatch(planeMany, planeMany, 0, places, 1).length === 2, "contacts of the plane");
 const planeBatches = [
   plane.distanceBatch(planeMany, planeMany, places), plane.closestBatch(square, {}, [[0, 3]]),
   plane.raycastBatch(square, {}, [-3, 0, 1, 0]), plane.castBatch([{ shape: square }], [planeMoving], castOptions)];

@@ -65,3 +65,30 @@ def test_a_support_query_layer_by_layer():
         assert sum(len(layer["looked_at"]) for layer in steps["layers"]) == steps["products"]
     with pytest.raises(ValueError, match="shape: expected a convex hull, got sphere"):
         graze.hull_layers(graze.Sphere(1))
+
+
+def test_changes_are_the_differences_of_all_pairs():
+    rng = np.random.default_rng(4)
+    changes, broad = graze.PairChanges("loose_octree"), graze.BroadPhase()
+    before, seen = set(), 0
+    for frame in range(5):
+        for i in range(80) if frame == 0 else rng.choice(80, 15, replace=False):
+            lower = rng.uniform(-3, 3, 3)
+            for boxes in changes, broad:
+                (boxes.insert if frame == 0 else boxes.move)(int(i), lower, lower + 1)
+        if frame == 3:
+            for boxes in changes, broad:
+                boxes.remove(5)
+                boxes.insert(5, (0, 0, 0), (1, 1, 1))
+        now = {tuple(pair) for pair in broad.pairs().tolist()}
+        begun, ended = changes.find()
+        assert {tuple(pair) for pair in begun.tolist()} == now - before
+        assert {tuple(pair) for pair in ended.tolist()} == before - now
+        seen += len(begun) + len(ended)
+        before = now
+    assert seen > 50 and changes.memory > 1000
+    assert all(len(pairs) == 0 for pairs in changes.find())
+    with pytest.raises(ValueError, match="id: expected an id that was inserted, got 99"):
+        changes.remove(99)
+    with pytest.raises(ValueError, match="kind"):
+        graze.PairChanges("tree")

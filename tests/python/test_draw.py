@@ -196,3 +196,33 @@ def test_a_tessellation_is_the_shape():
     np.testing.assert_allclose([floor.min(axis=0), floor.max(axis=0)], [(-2, 1, -5), (8, 1, 5)], atol=1e-12)
     with pytest.raises(ValueError, match="half_space_size"):
         graze.tessellate(graze.HalfSpace(), half_space_size=-1)
+
+
+def test_rays_casts_joints_and_boxes():
+    on = Faces()
+    graze.draw_ray(on, (-3, 0, 0), (1, 0, 0), hit=graze.raycast(graze.Sphere(1), None, (-3, 0, 0), (1, 0, 0)))
+    [(start, end)] = on.of("line")
+    assert start.tolist() == [-3, 0, 0] and end.tolist() == [-1, 0, 0]
+    assert [direction.tolist() for _, direction in on.of("arrow")] == [[-1, 0, 0]]
+    assert {layer for _, _, layer, _ in on.calls} == {"rays"}
+    on = Faces()
+    moving = graze.Sphere(1), (0, 0, 0), (2, 0, 0)
+    hit = graze.cast(*moving, graze.Sphere(1), (4, 0, 0), (0, 0, 0), 5)
+    graze.draw_cast(on, *moving, 5, hit=hit)
+    far = max(corners[:, 0].max() for (corners,) in on.of("polygon"))
+    assert far == pytest.approx(3, abs=0.01) and {layer for _, _, layer, _ in on.calls} == {"casts"}
+    on = Everything()
+    graze.draw_bounds(on, (0, 0, 0), (1, 2, 3), "tree")
+    assert len(on.of("line")) == 12 and {layer for _, _, layer, _ in on.calls} == {"tree"}
+    on = Everything()
+    graze.draw_joint(on, (1, 0, 0), None, (-1, 0, 0), (3, 0, 0))
+    assert any(np.array_equal(places, [(1, 0, 0), (2, 0, 0)]) for places in on.of("line"))
+    flat = Everything()
+    plane.draw_ray(flat, (-3, 0), (1, 0), 2)
+    plane.draw_cast(flat, plane.Box((1, 1)), None, (2, 0), angular=1)
+    plane.draw_joint(flat, (1, 0), None, (-1, 0), (3, 0))
+    assert {layer for _, _, layer, _ in flat.calls} == {"rays", "casts", "joints"}
+    with pytest.raises(ValueError, match="length: expected a number >= 0, got -1"):
+        graze.draw_ray(on, (0, 0, 0), (1, 0, 0), -1)
+    with pytest.raises(ValueError, match="layer: expected one of shapes"):
+        graze.draw_bounds(on, (0, 0, 0), (1, 1, 1), "boxes")

@@ -159,3 +159,19 @@ def test_rows_that_are_no_numbers_are_refused(words, row):
         rows[1, column] = math.nan
         with pytest.raises(ValueError, match=r"poses_b\[1\]"):
             words.batch.overlap(ball, None, ball, rows)
+
+
+@pytest.mark.parametrize("of", [graze, plane])
+def test_contacts_of_a_batch_with_at_most_so_many_points(of):
+    box = of.Box((1, 1, 1) if of is graze else (1, 1))
+    places = [(0.1 * i, 0.9) + ((0,) if of is graze else ()) for i in range(8)]
+    all_pairs, _, all_points = of.batch.contacts(box, None, box, places)
+    pairs, manifolds, points = of.batch.contacts(box, None, box, places, most=1)
+    assert len(all_points) > len(points) == len(pairs) == len(all_pairs) == 8
+    for i, place in enumerate(places):
+        [alone] = of.contacts(box, None, box, place)
+        alone.reduce(1)
+        m = manifolds[pairs[i]["first_manifold"]]
+        assert m["point_count"] == 1 and points[m["first_point"]]["a"].tolist() == alone.points[0].a.tolist()
+    with pytest.raises(ValueError, match="most: expected a number >= 1, got 0"):
+        of.batch.contacts(box, None, box, places, most=0)

@@ -127,3 +127,26 @@ def test_complex_numbers_and_masks_are_refused():
         ]:
             with pytest.raises(TypeError, match="expected (real numbers, got complex ones|an array without a mask)"):
                 ask()
+
+
+def test_counts_are_refused_by_name():
+    ball = graze.Sphere(1)
+    world = graze.World()
+    body = world.add(ball)
+    [manifold] = graze.contacts(ball, None, ball, (1, 0, 0))
+    cases = [
+        (lambda: world.nearest(ball, count=-1), "count: expected an integer from 0 to 18446744073709551615, got -1"),
+        (lambda: world.slide(ball, None, (1, 0, 0), casts=0), "casts: expected a number >= 1, got 0"),
+        (lambda: world.slide(ball, None, (1, 0, 0), casts=2**40), "casts: expected an integer from"),
+        (lambda: world.reduce(0), "count: expected a number >= 1, got 0"),
+        (lambda: world.overlapping(ball, mask=-1), "mask: expected an integer from 0 to"),
+        (lambda: world.overlapping(ball, group=2**31), "group: expected an integer from"),
+        (lambda: manifold.reduce(-2), "count: expected an integer from 0 to"),
+        (lambda: graze.Blow(-1, 0, (1, 0, 0), []), "a: expected an integer from 0 to 4294967295, got -1"),
+        (lambda: graze.pass_on([], [], most=-1), "most: expected an integer from 0 to"),
+        (lambda: graze.World(points_per_pair=-1), "points_per_pair: expected an integer from 0 to"),
+    ]
+    for question, message in cases:
+        with pytest.raises(ValueError, match=message):
+            question()
+    assert body in world

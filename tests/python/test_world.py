@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import graze
+from graze import plane
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "scenes"
 
@@ -413,3 +414,96 @@ def test_a_batch_takes_quaternions_of_single_precision_as_the_plane_does():
     single[3, 3:] *= 1.00001
     with pytest.raises(ValueError, match=r"poses_a\[3\]\.rotation: expected a quaternion of unit length"):
         graze.batch.distance(box, single, graze.Sphere(0.5), None)
+
+
+SPACES = [(graze, graze.Sphere(0.5), 3), (plane, plane.Circle(0.5), 2)]
+
+
+@pytest.mark.parametrize("of, ball, numbers", SPACES)
+def test_the_last_word_on_pairs_and_bodies_is_a_function(of, ball, numbers):
+    asked = []
+
+    def allow(a, b):
+        asked.append((a.index, b.index))
+        return 2 not in (a.index, b.index)
+
+    world = of.World(allow=allow)
+    ids = [world.add(ball, (0.6 * i,) + (0,) * (numbers - 1)) for i in range(4)]
+    world.update()
+    assert sorted(asked) == [(0, 1), (1, 2), (2, 3)]
+    assert world.touching.tolist() == [[0, 1]]
+    world.set_allow(None)
+    world.update()
+    assert world.touching.tolist() == [[0, 1], [1, 2], [2, 3]]
+    assert world.overlapping(ball, accept=lambda body: body != ids[0]) == [ids[1]]
+    assert world.overlapping(ball, group=0) == ids[:2]
+    origin, direction = (-9,) + (0,) * (numbers - 1), (1,) + (0,) * (numbers - 1)
+    assert world.raycast(origin, direction, accept=lambda body: body.index >= 2)[0] == ids[2]
+    assert [body for body, _ in world.nearest(ball, count=2, accept=lambda body: body.index != 1)] == [ids[0], ids[2]]
+    assert world.cast(ball, origin, direction, 20, accept=lambda body: body.index == 3)[0] == ids[3]
+    with pytest.raises(TypeError, match="allow: expected a function or None"):
+        of.World(allow=3)
+    with pytest.raises(TypeError, match="accept: expected a function or None"):
+        world.overlapping(ball, accept="all")
+
+    def broken(*_):
+        raise KeyError("mine")
+
+    for question in lambda: world.overlapping(ball, accept=broken), lambda: world.raycast_all(origin, direction, accept=broken):
+        with pytest.raises(KeyError, match="mine"):
+            question()
+    world.set_allow(lambda a, b: world.remove(a))
+    with pytest.raises(RuntimeError, match="in use"):
+        world.update()
+    world.set_allow(broken)
+    with pytest.raises(KeyError, match="mine"):
+        world.update()
+
+
+def test_groups_of_questions():
+    world = graze.World()
+    own = world.add(graze.Sphere(0.5), filter=graze.Filter(group=-7))
+    other = world.add(graze.Sphere(0.5), (0.5, 0, 0))
+    assert world.overlapping(graze.Sphere(0.5)) == [own, other]
+    assert world.overlapping(graze.Sphere(0.5), group=-7) == [other]
+    assert world.overlapping(graze.Sphere(0.5), mask=0) == []
+
+
+def test_a_simulation_takes_masses_as_they_are():
+    simulation = graze.Simulation(gravity=(0, 0, 0), most_sub_steps=8, longest_step=0.1)
+    body = simulation.add(
+        graze.Box((1, 1, 1)), mass=2, center_of_mass=(0.25, 0, 0), inertia=((1, 2, 3), (0, 0, np.sqrt(0.5), np.sqrt(0.5)))
+    )
+    assert simulation.center_of_mass(body).tolist() == [0.25, 0, 0]
+    # A quarter turn about z: what turns about x has the moment that is given for y.
+    simulation.apply_angular_impulse(body, (2, 0, 0))
+    np.testing.assert_allclose(simulation.velocity(body)[1], (1, 0, 0), atol=1e-12)
+    simulation.apply_impulse(body, (0, 2, 0), (0.25, 0, 0))
+    np.testing.assert_allclose(simulation.velocity(body)[0], (0, 1, 0), atol=1e-12)
+    plain = simulation.add(graze.Box((1, 1, 1)), (5, 0, 0), mass=2, inertia=(1, 2, np.inf))
+    simulation.apply_angular_impulse(plain, (0, 2, 2))
+    assert simulation.velocity(plain)[1].tolist() == [0, 1, 0]
+    flat = plane.Simulation(gravity=(0, 0))
+    disk = flat.add(plane.Circle(1), mass=1, center_of_mass=(0, 0.5), inertia=4)
+    flat.apply_angular_impulse(disk, 2)
+    assert flat.velocity(disk)[1] == 0.5 and flat.center_of_mass(disk).tolist() == [0, 0.5]
+    with pytest.raises(ValueError, match="dt: expected a number > 0 and at most longest_step, got 0.2"):
+        simulation.step(0.2)
+    with pytest.raises(ValueError, match="most_sub_steps"):
+        graze.Simulation(most_sub_steps=3)
+    with pytest.raises(ValueError, match="inertia"):
+        simulation.add(graze.Sphere(1), inertia=(1, 1, 5))
+    for given in (1, 2), "x", ((1, 2, 3), (0, 1)):
+        with pytest.raises(TypeError, match="inertia: expected"):
+            simulation.add(graze.Sphere(1), inertia=given)
+
+
+def test_joints_let_their_bodies_touch():
+    for of, box, aside in (graze, graze.Box((1, 1, 1)), (0.5, 0, 0)), (plane, plane.Box((1, 1)), (0.5, 0)):
+        for touch in False, True:
+            simulation = of.Simulation()
+            a, b = simulation.add(box), simulation.add(box, aside)
+            joint = simulation.join_slider(a, None, b, None, enable_collision=touch)
+            assert simulation.joint(joint)["enable_collision"] is touch
+            joint = simulation.join_distance(a, None, b, None, 0, 1, enable_collision=touch)
+            assert simulation.joint(joint)["enable_collision"] is touch

@@ -140,10 +140,11 @@ export function batches(core, layout, dimension, Rows, Handle) {
       const { pointer, length } = batch(a, b, places);
       return filled(types.distance, length, (p) => call("distance_batch", pointer, p, 0));
     },
-    contactsBatch(a, b, margin = 0, places = undefined) {
+    contactsBatch(a, b, margin = 0, places = undefined, most = undefined) {
       const { pointer } = batch(a, b, places);
       const p = core.room(layout.batchContacts.size);
-      call("contacts_batch", pointer, margin, ask.room(), p);
+      if (most === undefined) call("contacts_batch", pointer, margin, ask.room(), p);
+      else call("contacts_batch_reduced", pointer, margin, whole(most, "most"), ask.room(), p);
       const all = layout.batchContacts.read(p);
       return layout.readAll(layout.pair, all.pairs, all.pairCount).map((pair) => ({
         overlap: pair.overlap,

@@ -7,32 +7,52 @@ const kinds = ["dynamicTree", "sortAndSweep", "sweepAndPrune", "hashedGrid", "lo
 
 export function broadPhases(core, layout, args, ask, Handle) {
   const { written } = args;
-  const call = (name, ...parameters) => core.call(`broad_phase_${name}`, ...parameters);
   const box = (lower, upper) => written(layout.aabb, { lower, upper }, "box");
 
-  class BroadPhase extends Handle {
-    #boxes = 0;
-    #pairs = 0;
-    constructor(kind = "dynamicTree") {
+  /** What holds boxes: an object of the functions whose names begin with `prefix`, which errors call `path`. */
+  class Boxes extends Handle {
+    #prefix;
+    #path;
+    constructor(prefix, path, kind) {
       super(
         core.frame(() => {
           const result = core.room(4);
-          call("create", named(kinds, kind, "broadPhase.kind"), result);
+          core.call(`${prefix}_create`, named(kinds, kind, `${path}.kind`), result);
           return core.data.getUint32(result, true);
         }),
-        (p) => core.exports[`graze_broad_phase_destroy_${core.scalar}`](p),
+        (p) => core.exports[`graze_${prefix}_destroy_${core.scalar}`](p),
       );
+      this.#prefix = prefix;
+      this.#path = path;
       this.kind = kind;
     }
     insert(id, lower, upper) {
-      core.frame(() => call("insert", changed(this), whole(id, "id"), box(lower, upper)));
-      this.#boxes += 1;
+      core.frame(() => this.#change("insert", whole(id, "id"), box(lower, upper)));
     }
     move(id, lower, upper) {
-      core.frame(() => call("move", changed(this), whole(id, "id"), box(lower, upper)));
+      core.frame(() => this.#change("move", whole(id, "id"), box(lower, upper)));
     }
     remove(id) {
-      core.frame(() => call("remove", changed(this), whole(id, "id")));
+      core.frame(() => this.#change("remove", whole(id, "id")));
+    }
+    #change(name, ...parameters) {
+      core.call(`${this.#prefix}_${name}`, Handle.changed(this, this.#path, Boxes), ...parameters);
+    }
+  }
+
+  const call = (name, ...parameters) => core.call(`broad_phase_${name}`, ...parameters);
+  class BroadPhase extends Boxes {
+    #boxes = 0;
+    #pairs = 0;
+    constructor(kind = "dynamicTree") {
+      super("broad_phase", "broadPhase", kind);
+    }
+    insert(id, lower, upper) {
+      super.insert(id, lower, upper);
+      this.#boxes += 1;
+    }
+    remove(id) {
+      super.remove(id);
       this.#boxes -= 1;
     }
     pairs() {
@@ -75,6 +95,21 @@ export function broadPhases(core, layout, args, ask, Handle) {
     return new Uint32Array(core.data.buffer, first, each * count).slice();
   };
   const at = (broad) => Handle.pointer(broad, "broadPhase", BroadPhase);
-  const changed = (broad) => Handle.changed(broad, "broadPhase", BroadPhase);
-  return { BroadPhase };
+
+  class PairChanges extends Boxes {
+    constructor(kind = "dynamicTree") {
+      super("pair_changes", "pairChanges", kind);
+    }
+    find() {
+      return core.frame(() => {
+        const to = core.room(16);
+        const places = [0, 4, 8, 12].map((offset) => to + offset);
+        core.call("pair_changes_find", Handle.changed(this, "pairChanges", PairChanges), ask.room(), ...places);
+        const [begun, begunCount, ended, endedCount] = places.map((p) => core.data.getUint32(p, true));
+        const copied = (first, count) => new Uint32Array(core.data.buffer, first, 2 * count).slice();
+        return { begun: copied(begun, begunCount), ended: copied(ended, endedCount) };
+      });
+    }
+  }
+  return { BroadPhase, PairChanges };
 }

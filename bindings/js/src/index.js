@@ -9,7 +9,7 @@ export const {
   Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap, mayOverlap,
   distance, distanceUpTo, within, nearPieces, alongPlanes, contacts, contactMargin, featureCorners, closest, raycast,
   raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, compactContactsBatch,
-  closestBatch, raycastBatch, castBatch, nearPiecesBatch, BroadPhase, World, hullLayers, tessellate, protocolShape,
-  traced, draw, response, applyImpulse, passOn, freeBody, advance, angularVelocity, Simulation, State, captureHead,
-  replay, plane,
+  closestBatch, raycastBatch, castBatch, nearPiecesBatch, BroadPhase, PairChanges, World, hullLayers, tessellate,
+  protocolShape, traced, draw, response, applyImpulse, passOn, freeBody, advance, angularVelocity, Simulation, State,
+  captureHead, replay, plane,
 } = names;

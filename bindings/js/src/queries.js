@@ -9,5 +9,5 @@ export const {
   Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap, mayOverlap,
   distance, distanceUpTo, within, nearPieces, alongPlanes, contacts, contactMargin, featureCorners, closest, raycast,
   raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, compactContactsBatch,
-  closestBatch, raycastBatch, castBatch, nearPiecesBatch, BroadPhase, World,
+  closestBatch, raycastBatch, castBatch, nearPiecesBatch, BroadPhase, PairChanges, World,
 } = names;

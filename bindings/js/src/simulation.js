@@ -165,6 +165,9 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     mass(id) {
       return core.frame(() => answered(layout.num, (p) => call("mass", at(this), idAt(id, "body"), p)));
     }
+    angularMomentum(id) {
+      return core.frame(() => answered(types.turning, (p) => call("angular_momentum", at(this), idAt(id, "body"), p)));
+    }
     asleep(id) {
       return core.frame(() => answered(layout.bool, (p) => call("asleep", at(this), idAt(id, "body"), p)));
     }
@@ -217,7 +220,12 @@ export function blows(core, layout, dimension, shapes) {
   const inverseMass = (body, path) => {
     const p = core.room(layout.inverseMass.size);
     const rotation = () => written(layout.quat, body.rotation ?? noTurn, `${path}.rotation`);
-    if (body.inertia !== undefined) core.call("inverse_mass", body.mass, vec3(body.inertia, `${path}.inertia`), rotation(), p);
+    const matrix = typeof body.inertia?.[0] === "object";
+    if (matrix) {
+      const tensor = written(layout.mat3, body.inertia, `${path}.inertia`);
+      core.call("inverse_mass_of_tensor", body.mass, tensor, rotation(), p);
+    } else if (body.inertia !== undefined)
+      core.call("inverse_mass", body.mass, vec3(body.inertia, `${path}.inertia`), rotation(), p);
     else if (body.shape !== undefined)
       core.call("inverse_mass_of_shape", shapes.of(body.shape, `${path}.shape`), body.mass, rotation(), p);
     else if (body.mass === Infinity) core.call("inverse_mass", body.mass, vec3([1, 1, 1]), rotation(), p);

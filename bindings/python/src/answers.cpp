@@ -2,6 +2,7 @@
 
 #include "plain_values.hpp"
 
+#include "whole.hpp"
 #include <pybind11/stl.h>
 
 namespace graze::python {
@@ -121,8 +122,11 @@ void add_contacts(py::module_& m) {
       .def_property_readonly("status", [](const Manifold<double>& x) { return python::text_of(x.status); })
       .def_readonly("error", &Manifold<double>::error)
       .def(
-          "reduce", [](Manifold<double>& manifold, std::size_t count) { reduce(manifold, count); }, py::arg("count"),
-          "Keeps the `count` points that span most.")
+          "reduce",
+          [](Manifold<double>& manifold, const Whole& count) {
+            reduce(manifold, count.at_least<std::size_t>(1, "count"));
+          },
+          py::arg("count"), "Keeps the `count` points that span most.")
       .def("__len__", [](const Manifold<double>& manifold) { return manifold.points.size(); })
       .def(pickled_manifold<Manifold<double>>())
       .def("__repr__", [](const Manifold<double>& manifold) {

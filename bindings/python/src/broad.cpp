@@ -1,5 +1,6 @@
-// Broad phases by themselves, and the vertices that a convex hull's support query looks at.
+// Broad phases and changes of their pairs by themselves, and the vertices that a convex hull's support query looks at.
 #include "broad_phase_kinds.hpp"
+#include "graze/pair_changes.hpp"
 #include "graze/shape/support_trace.hpp"
 #include "shapes.hpp"
 #include "whole.hpp"
@@ -9,6 +10,7 @@ namespace graze::python {
 namespace {
 
 using Broad = BroadPhase<double>;
+using Changes = PairChanges<double>;
 
 std::unique_ptr<Broad> broad_phase_of(const std::string& kind) {
   for (const BroadPhaseKind<double>& known : broad_phase_kinds<double>)
@@ -87,8 +89,24 @@ py::dict steps_of(const Shaped& shape, const Vector& direction) {
 
 std::uint32_t id_of(const Whole& id) { return id.as<std::uint32_t>("id"); }
 
+/// The methods that change boxes.
+template <class Boxes>
+void add_boxes(py::class_<Boxes>& boxes) {
+  boxes
+      .def(
+          "insert",
+          [](Boxes& b, const Whole& id, const Vector& l, const Vector& u) { b.insert(id_of(id), box_of(l, u)); },
+          py::arg("id"), py::arg("lower"), py::arg("upper"), "Adds a box; its sides may be infinite.")
+      .def(
+          "move", [](Boxes& b, const Whole& id, const Vector& l, const Vector& u) { b.move(id_of(id), box_of(l, u)); },
+          py::arg("id"), py::arg("lower"), py::arg("upper"), "Replaces a box.")
+      .def(
+          "remove", [](Boxes& b, const Whole& id) { b.remove(id_of(id)); }, py::arg("id"), "Removes a box.");
+}
+
 void add_broad_phase(py::module_& m) {
-  py::class_<Broad>(m, "BroadPhase", R"(Which of many boxes overlap: boxes under whole numbers of your own, no shapes.
+  py::class_<Broad> broad(m, "BroadPhase",
+                          R"(Which of many boxes overlap: boxes under whole numbers of your own, no shapes.
 
 kind: dynamic_tree, sort_and_sweep, sweep_and_prune, hashed_grid, loose_octree or bsp; all find the
 same, sorted. Raises ValueError for another kind, an id that is in use or unknown, and a box whose
@@ -100,17 +118,9 @@ corners are the wrong way round.
 ...     broad.insert(i, (0.8 * i, 0, 0), (0.8 * i + 1, 1, 1))
 >>> broad.pairs().tolist(), broad.query((0.9, 0, 0), (1.5, 1, 1)).tolist()
 ([[0, 1], [1, 2]], [0, 1])
-)")
-      .def(py::init(&broad_phase_of), py::arg("kind") = "dynamic_tree")
-      .def(
-          "insert",
-          [](Broad& b, const Whole& id, const Vector& l, const Vector& u) { b.insert(id_of(id), box_of(l, u)); },
-          py::arg("id"), py::arg("lower"), py::arg("upper"), "Adds a box; its sides may be infinite.")
-      .def(
-          "move", [](Broad& b, const Whole& id, const Vector& l, const Vector& u) { b.move(id_of(id), box_of(l, u)); },
-          py::arg("id"), py::arg("lower"), py::arg("upper"))
-      .def(
-          "remove", [](Broad& b, const Whole& id) { b.remove(id_of(id)); }, py::arg("id"))
+)");
+  add_boxes(broad);
+  broad.def(py::init(&broad_phase_of), py::arg("kind") = "dynamic_tree")
       .def("__repr__",
            [](const Broad& b) {
              return "graze.BroadPhase(tests=" + std::to_string(b.tests()) + ", memory=" + std::to_string(b.memory()) +
@@ -164,10 +174,45 @@ corners are the wrong way round.
       .def_property_readonly("memory", &Broad::memory, "Bytes that the structure holds.");
 }
 
+void add_pair_changes(py::module_& m) {
+  py::class_<Changes> changes(m, "PairChanges",
+                              R"(Changes of overlapping pairs from call to call, for data that is kept for each pair.
+
+kind: that of the BroadPhase behind it, which boxes are put into as into one by itself.
+
+>>> import graze
+>>> changes = graze.PairChanges()
+>>> for i in range(3):
+...     changes.insert(i, (0.8 * i, 0, 0), (0.8 * i + 1, 1, 1))
+>>> begun, ended = changes.find()
+>>> begun.tolist(), ended.tolist()
+([[0, 1], [1, 2]], [])
+>>> changes.remove(0)
+>>> [pairs.tolist() for pairs in changes.find()]
+[[], [[0, 1]]]
+)");
+  add_boxes(changes);
+  changes
+      .def(py::init([](const std::string& kind) { return std::make_unique<Changes>(broad_phase_of(kind)); }),
+           py::arg("kind") = "dynamic_tree")
+      .def(
+          "find",
+          [](Changes& c) {
+            std::vector<IdPair> begun, ended;
+            c.find(begun, ended);
+            return py::make_tuple(array_of_pairs(begun), array_of_pairs(ended));
+          },
+          "(begun, ended) since the last call: pairs that overlap and did not, those that did and do not; shape (n, "
+          "2).")
+      .def_property_readonly("memory", &Changes::memory, "Bytes that are held.")
+      .def("__repr__", [](const Changes& c) { return "graze.PairChanges(memory=" + std::to_string(c.memory()) + ")"; });
+}
+
 }  // namespace
 
 void add_broad(py::module_& m) {
   add_broad_phase(m);
+  add_pair_changes(m);
   m.def("hull_vertices", &vertices_of, py::arg("hull"), "The corners of a ConvexHull: shape (n, 3).");
   m.def("hull_layers", &layers_of, py::arg("hull"),
         R"(The layers of a ConvexHull's hierarchy, the coarsest first: (vertices, edges) by numbers of its vertices.)");

@@ -80,6 +80,12 @@ struct Field {
 };
 py::dtype record_type(std::initializer_list<Field> fields, std::size_t size);
 
+/// A limit, a length or a margin, which may be infinite. Throws `InvalidValue` for a number that is negative or none.
+inline double checked_reach(double value, const char* name) {
+  if (!(value >= 0)) validate::fail(name, "a number >= 0", value);
+  return value;
+}
+
 inline const char* text_of(Status status) {
   return status == Status::converged ? "converged" : status == Status::bounded ? "bounded" : "unbounded";
 }

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <pybind11/stl.h>
+
 #include "answers.hpp"
 #include "plane_world.hpp"
 #include "shapes.hpp"
@@ -84,6 +86,46 @@ void add_worlds(py::module_& m) {
         return py::make_tuple(array_of(area.center), area.size);
       },
       py::arg("world"), "(center, size) of what has to be looked at to see all of a world.");
+}
+
+/// Defines the drawing of rays, casts and joints.
+template <class Words>
+void add_paths(py::module_& m) {
+  using Space = typename Words::Space;
+  using Vector = typename Words::Vector;
+  using Placement = typename Words::Placement;
+  m.def(
+      "draw_ray",
+      [](const py::object& on, const Vector& origin, const Vector& direction, double length,
+         const std::optional<typename Space::RayHit>& hit) {
+        PythonDraw to(on);
+        draw(to, typename Space::Ray{Words::checked(origin, "origin"), Words::checked(direction, "direction")},
+             checked_reach(length, "length"), hit);
+      },
+      py::arg("on"), py::arg("origin"), py::arg("direction"),
+      py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("hit") = py::none(),
+      "A ray up to its `hit`, a RayHit, with the normal there; one without as an arrow of its length, or to the end of "
+      "what is looked at.");
+  m.def(
+      "draw_cast",
+      [](const py::object& on, const typename Words::Shape& shape, const Placement& pose, const Vector& linear,
+         double duration, const typename Words::Turning& angular, const std::optional<typename Space::CastHit>& hit) {
+        PythonDraw to(on);
+        draw(to, Words::value_of(shape), pose.value, Words::velocity(linear, angular),
+             checked_reach(duration, "duration"), hit);
+      },
+      py::arg("on"), py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
+      py::arg("angular") = typename Words::Turning{}, py::arg("hit") = py::none(),
+      "A moving shape up to its `hit`, a CastHit, or for `duration`: its path, places along it, and the hit.");
+  m.def(
+      "draw_joint",
+      [](const py::object& on, const Placement& frame_a, const Placement& pose_a, const Placement& frame_b,
+         const Placement& pose_b) {
+        PythonDraw to(on);
+        draw(to, Joint<double, Space>{{}, {}, frame_a.value, frame_b.value, {}, {}, false}, pose_a.value, pose_b.value);
+      },
+      py::arg("on"), py::arg("frame_a"), py::arg("pose_a"), py::arg("frame_b"), py::arg("pose_b"),
+      "A joint of bodies at these poses: from either origin to its anchor, and the gap between the anchors.");
 }
 
 /// Defines the drawing of an answer, of space or of the plane.
@@ -189,6 +231,15 @@ ValueError.
   add_answer<Manifold<double>>(m, "Points of contact, and the normal as an arrow from their middle.");
   add_answer<Distance<double>>(m, "The shortest way between two shapes, or out of each other.");
   add_worlds<SpaceWords>(m);
+  add_paths<SpaceWords>(m);
+  m.def(
+      "draw_bounds",
+      [](const py::object& on, const Vector& lower, const Vector& upper, const std::string& layer) {
+        PythonDraw to(on);
+        draw(to, Aabb<double>{lower.value, upper.value}, static_cast<DrawLayer>(place_of(layer_words, layer, "layer")));
+      },
+      py::arg("on"), py::arg("lower"), py::arg("upper"), py::arg("layer") = "bounds",
+      "A box by its edges; nothing for one that is empty or has no end. layer: tree for the parts of a BroadPhase.");
   m.def(
       "suggested_color",
       [](const std::string& meaning) {
@@ -238,6 +289,7 @@ A half-plane reaches half_plane_size to both sides of the foot of center.)");
   add_answer<plane::Manifold<double>>(m, "Points of contact, and the normal as an arrow from their middle.");
   add_answer<plane::Distance<double>>(m, "The shortest way between two shapes, or out of each other.");
   add_worlds<PlaneWords>(m);
+  add_paths<PlaneWords>(m);
 }
 
 }  // namespace graze::python

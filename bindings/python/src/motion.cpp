@@ -22,7 +22,7 @@ struct SpaceMotion : SpaceBatch {
       "inertia: the moments about the axes of `pose`, infinite where it does not turn";
 
   static const Vec3d& value_of(const python::Vector& v) { return v.value; }
-  static py::object object_of(const Vec3d& v) { return array_of(v); }
+  static py::array_t<double> object_of(const Vec3d& v) { return array_of(v); }
   static InverseMass<double> inverse(double mass, const py::object& inertia, const Posed& pose) {
     constexpr double never = std::numeric_limits<double>::infinity();
     Vec3d moments{never, never, never};
@@ -61,8 +61,8 @@ struct PlaneMotion : PlaneBatch {
 
   static const plane::Vec2d& value_of(const Vector2& v) { return v.value; }
   static double value_of(double turning) { return turning; }
-  static py::object object_of(const plane::Vec2d& v) { return array_of(v); }
-  static py::object object_of(double turning) { return py::float_(turning); }
+  static py::array_t<double> object_of(const plane::Vec2d& v) { return array_of(v); }
+  static double object_of(double turning) { return turning; }
   static double inverse_of(double value, const char* path) {
     if (!(value > 0) || !std::isfinite(1 / value))
       validate::fail(path, "a number > 0 that can be inverted, or infinity", value);

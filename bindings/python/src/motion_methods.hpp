@@ -4,6 +4,7 @@
 
 #include "plain_values.hpp"
 #include "row_batches.hpp"
+#include "whole.hpp"
 
 #include <pybind11/stl.h>
 
@@ -118,11 +119,12 @@ struct MotionMethods {
 
   static void add_blows(py::module_& m) {
     py::class_<Meeting>(m, "Blow", "Points of two bodies that share a normal, struck together.")
-        .def(py::init([](std::uint32_t a, std::uint32_t b, const VectorGiven& normal, const py::object& points,
+        .def(py::init([](const Whole& a, const Whole& b, const VectorGiven& normal, const py::object& points,
                          double restitution) {
                if (!(restitution >= 0 && restitution <= 1))
                  validate::fail("restitution", "a number from 0 to 1", restitution);
-               return Meeting{a, b, unit_vector<Words>(Words::value_of(normal), "normal"),
+               return Meeting{a.as<std::uint32_t>("a"), b.as<std::uint32_t>("b"),
+                              unit_vector<Words>(Words::value_of(normal), "normal"),
                               vectors_of<Words>(points, "points"), restitution};
              }),
              py::arg("a"), py::arg("b"), py::arg("normal"), py::arg("points"), py::arg("restitution") = 0.0,
@@ -137,7 +139,7 @@ struct MotionMethods {
           return py::make_tuple(py::type::of(self), py::tuple(values));
         });
     m.def("pass_on", &pass_all_on, py::arg("bodies"), py::arg("blows"), py::arg("resting_speed") = 0.0,
-          py::arg("most") = 1000,
+          py::arg("most") = Whole(1000),
           R"(What bodies do that touch each other while one of them is struck, as in a cradle: a dictionary.
 
 Strikes the blow that approaches fastest until none does by more than `resting_speed`, or `most` were struck. `bodies`
@@ -157,7 +159,8 @@ struck, and `approach` how fast the fastest still is.)");
   }
 
   static py::dict pass_all_on(const std::vector<Body>& given, const std::vector<Meeting>& meetings,
-                              double resting_speed, std::size_t most) {
+                              double resting_speed, const Whole& most_blows) {
+    const auto most = most_blows.as<std::size_t>("most");
     std::vector<Body> bodies = given;
     std::vector<typename Words::Blow> blows;
     std::vector<typename Words::Vector> points;

@@ -1,6 +1,7 @@
 // Answers about the plane for Python.
 #include "plain_values.hpp"
 #include "plane_convert.hpp"
+#include "whole.hpp"
 
 namespace graze::python {
 
@@ -54,8 +55,9 @@ void add_contacts(py::module_& m) {
       .def_property_readonly("status", status_of<Manifold>(), status_doc)
       .def_readonly("error", &Manifold::error)
       .def(
-          "reduce", [](Manifold& manifold, std::size_t count) { reduce(manifold, count); }, py::arg("count"),
-          "Keeps the `count` deepest points.")
+          "reduce",
+          [](Manifold& manifold, const Whole& count) { reduce(manifold, count.at_least<std::size_t>(1, "count")); },
+          py::arg("count"), "Keeps the `count` deepest points.")
       .def("__len__", [](const Manifold& manifold) { return manifold.points.size(); })
       .def(pickled_manifold<Manifold>())
       .def("__repr__", [](const Manifold& manifold) {

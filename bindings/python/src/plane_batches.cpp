@@ -82,20 +82,20 @@ void add_plane_batches(py::module_& m) {
       "The signed distance of each pair: records with the fields distance, normal, a, b, status, error.");
   batch.def(
       "contacts",
-      [pairs_type = pair_type(), groups_type = group_type(), points_type = plane_point_type()](
-          Object a, Object poses_a, Object b, Object poses_b, double margin, Object pairs) {
-        if (!(margin >= 0)) validate::fail("margin", "a number >= 0", margin);
-        const Question<PlaneBatch> question(a, poses_a, b, poses_b, pairs);
-        Contacts found =
-            question.found<Contacts>([margin](const auto& asked, auto& answers) { contacts(asked, margin, answers); });
+      [pairs_type = pair_type(), groups_type = group_type(),
+       points_type = plane_point_type()](Object a, Object poses_a, Object b, Object poses_b, double margin,
+                                         Object pairs, const std::optional<Whole>& most) {
+        Contacts found = found_contacts<Contacts>(Question<PlaneBatch>(a, poses_a, b, poses_b, pairs), margin, most);
         return py::make_tuple(records(std::move(found.pairs), pairs_type),
                               records(std::move(found.manifolds), groups_type),
                               records(std::move(found.points), points_type));
       },
       py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin") = 0.0,
-      py::arg("pairs") = py::none(),
+      py::arg("pairs") = py::none(), py::arg("most") = py::none(),
       ("Where each pair touches: (pairs, manifolds, points), three arrays of records. A pair's manifolds are "
-       "`manifold_count` from `first_manifold` on, and likewise a manifold's points." +
+       "`manifold_count` from `first_manifold` on, and likewise a manifold's points. most: at most so many points a "
+       "pair, "
+       "those that span most." +
        batch_doc)
           .c_str());
   add_row_batches<PlaneBatch>(batch, batch_doc);

@@ -26,11 +26,6 @@ py::list list_of(const std::vector<Hit>& hits) {
   return found;
 }
 
-double checked_limit(double limit, const char* name) {
-  if (!(limit >= 0)) validate::fail(name, "a number >= 0", limit);
-  return limit;
-}
-
 double finite(double value, const char* name) {
   if (const char* expectation = validate::fault_of_coordinate(value)) validate::fail(name, expectation, value);
   return value;
@@ -76,14 +71,14 @@ Negative where they overlap: minus the length of the shortest translation that s
   m.def(
       "distance_up_to",
       [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double limit) {
-        return object_or_none(distance_up_to(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit")));
+        return object_or_none(distance_up_to(a, pose_a.value, b, pose_b.value, checked_reach(limit, "limit")));
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
       "The distance of shapes no further apart than `limit` >= 0, else None; costs what lies within the limit.");
   m.def(
       "within",
       [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double limit) {
-        return within(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit"));
+        return within(a, pose_a.value, b, pose_b.value, checked_reach(limit, "limit"));
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
       "Whether two shapes are no further apart than `limit` >= 0.");
@@ -91,7 +86,7 @@ Negative where they overlap: minus the length of the shortest translation that s
       "near_pieces",
       [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double margin) {
         std::vector<plane::PieceDistance<double>> pieces;
-        near_pieces(a, pose_a.value, b, pose_b.value, checked_limit(margin, "margin"), pieces);
+        near_pieces(a, pose_a.value, b, pose_b.value, checked_reach(margin, "margin"), pieces);
         py::list found;
         for (const auto& piece : pieces) found.append(py::make_tuple(piece.piece_a, piece.piece_b, piece.distance));
         return found;
@@ -110,7 +105,7 @@ Pieces are numbered as those of a manifold: children, pieces of a polygon, segme
       "contacts",
       [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double margin,
          const py::object& trace) {
-        checked_limit(margin, "margin");
+        checked_reach(margin, "margin");
         return answered(trace, [&](Trace* t) {
           plane::Manifolds<double> manifolds;
           contacts(a, pose_a.value, b, pose_b.value, margin, manifolds, t);
@@ -159,7 +154,7 @@ void add_rays_and_casts(py::module_& m) {
          const py::object& trace) {
         return traced(trace, [&](Trace* t) {
           return object_or_none(raycast(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
-                                        checked_limit(length, "length"), t));
+                                        checked_reach(length, "length"), t));
         });
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
@@ -176,7 +171,7 @@ direction need not be of unit length; t of the hit is a length.
       "raycast_any",
       [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
         return raycast_any(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
-                           checked_limit(length, "length"));
+                           checked_reach(length, "length"));
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
       py::arg("length") = std::numeric_limits<double>::infinity(), "Whether a ray hits anything within `length`.");
@@ -185,7 +180,7 @@ direction need not be of unit length; t of the hit is a length.
       [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
         std::vector<plane::RayHit<double>> hits;
         raycast_all(shape, pose.value, plane::Ray<double>{origin.value, direction.value}, hits,
-                    checked_limit(length, "length"));
+                    checked_reach(length, "length"));
         return list_of(hits);
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
@@ -197,7 +192,7 @@ direction need not be of unit length; t of the hit is a length.
          const Vector2& linear_b, double duration, double angular_a, double angular_b, bool ignore_separating,
          const py::object& trace) {
         const auto v = velocity_of(linear_a, angular_a, "_a"), w = velocity_of(linear_b, angular_b, "_b");
-        finite(checked_limit(duration, "duration"), "duration");
+        finite(checked_reach(duration, "duration"), "duration");
         return traced(trace, [&](Trace* t) {
           return object_or_none(
               cast(a, pose_a.value, v, b, pose_b.value, w, duration, options_of(ignore_separating), t));
@@ -221,7 +216,7 @@ shapes that touch at the start and move apart do not count.
          const Vector2& linear_b, double duration, double angular_a, double angular_b, bool ignore_separating) {
         std::vector<plane::CastHit<double>> hits;
         cast_all(a, pose_a.value, velocity_of(linear_a, angular_a, "_a"), b, pose_b.value,
-                 velocity_of(linear_b, angular_b, "_b"), finite(checked_limit(duration, "duration"), "duration"), hits,
+                 velocity_of(linear_b, angular_b, "_b"), finite(checked_reach(duration, "duration"), "duration"), hits,
                  options_of(ignore_separating));
         return list_of(hits);
       },

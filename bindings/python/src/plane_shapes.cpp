@@ -4,6 +4,7 @@
 #include "bounded_convex.hpp"
 #include "plane_convert.hpp"
 #include "raised.hpp"
+#include "shapes.hpp"
 
 namespace graze::python {
 
@@ -317,7 +318,7 @@ void add_plane_shapes(py::module_& m) {
       .def(
           "swept",
           [](const Shaped& shape, const Placement2& pose, const Vector2& motion) {
-            return object_of_convex(swept(shape, pose.value, motion.value));
+            return ShapeObject{object_of_convex(swept(shape, pose.value, motion.value))};
           },
           py::arg("pose"), py::arg("motion"),
           R"(The region that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion`.

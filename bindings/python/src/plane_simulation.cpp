@@ -10,7 +10,8 @@ void add_plane_simulation(py::module_& m) {
   SimulationMethods<PlaneWords>::add(m, R"(What happens next in the plane: bodies fall, collide and come to rest.
 
 gravity: two numbers. sub_steps: of a step, a power of two. sleep: islands at rest cost nothing.
-continuous: what moves fast passes through nothing. Handles of bodies and joints, filters, and the
+continuous: what moves fast passes through nothing. most_sub_steps: for an island under load, 64 by
+default. longest_step: longer ones are refused. Handles of bodies and joints, filters, and the
 limits and drives of joints are those of space.
 
 >>> from graze import plane

@@ -41,6 +41,8 @@ struct PlaneWords {
   static constexpr const char* hinge = "The origins of the frames stay one; a turn is free.";
   static constexpr const char* joint_axes = "Linear axes are x and y of `frame_a`, the angular one is z.";
 
+  static constexpr const char* inertia_given = "a number, about the centre of mass";
+
   static const plane::Shaped& value_of(const PlaneShapeObject& shape) { return *shape.shape; }
   static const plane::Vec2d& value_of(const Vector2& v) { return v.value; }
   static double value_of(double turning) { return turning; }
@@ -51,6 +53,10 @@ struct PlaneWords {
   /// A pose from a row. Throws `InvalidValue` that names the part.
   static plane::Pose2d pose_of_row(const double* p);
   static plane::Vec2d vector_of_row(const double* p) { return python::checked({p[0], p[1]}, "impulse"); }
+  /// Sets the inertia of a body, which is checked by the simulation.
+  static void set_inertia(plane::Dynamics<double>& dynamics, const py::object& given) {
+    dynamics.inertia = given.cast<double>();
+  }
 };
 
 }  // namespace graze::python

@@ -20,18 +20,13 @@ py::list list_of(const std::vector<Hit>& hits) {
   return found;
 }
 
-double checked_limit(double limit, const char* name) {
-  if (!(limit >= 0)) validate::fail(name, "a number >= 0", limit);
-  return limit;
-}
-
 Velocity<double> velocity_of(const Vector& linear, const Vector& angular, const char* name) {
   return {validate::point(linear.value, std::string(name) + ".linear"),
           validate::point(angular.value, std::string(name) + ".angular")};
 }
 
 double checked_duration(double duration) {
-  if (!(checked_limit(duration, "duration") <= largest_magnitude<double>))
+  if (!(checked_reach(duration, "duration") <= largest_magnitude<double>))
     validate::fail("duration", "a finite number >= 0", duration);
   return duration;
 }
@@ -73,7 +68,7 @@ Negative where they overlap: minus the length of the shortest translation that s
       "distance_up_to",
       [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b,
          double limit) -> py::object {
-        const auto d = distance_up_to(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit"));
+        const auto d = distance_up_to(a, pose_a.value, b, pose_b.value, checked_reach(limit, "limit"));
         return d ? py::cast(*d) : py::none();
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
@@ -88,7 +83,7 @@ Negative where they overlap: minus the length of the shortest translation that s
   m.def(
       "within",
       [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double limit) {
-        return within(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit"));
+        return within(a, pose_a.value, b, pose_b.value, checked_reach(limit, "limit"));
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
       "Whether two shapes are no further apart than `limit` >= 0.");
@@ -96,7 +91,7 @@ Negative where they overlap: minus the length of the shortest translation that s
       "near_pieces",
       [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double margin) {
         std::vector<PieceDistance<double>> pieces;
-        near_pieces(a, pose_a.value, b, pose_b.value, checked_limit(margin, "margin"), pieces);
+        near_pieces(a, pose_a.value, b, pose_b.value, checked_reach(margin, "margin"), pieces);
         py::list found;
         for (const auto& piece : pieces) found.append(py::make_tuple(piece.piece_a, piece.piece_b, piece.distance));
         return found;
@@ -107,7 +102,7 @@ Negative where they overlap: minus the length of the shortest translation that s
       "contacts",
       [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double margin,
          const py::object& trace) {
-        checked_limit(margin, "margin");
+        checked_reach(margin, "margin");
         return answered(trace, [&](Trace* t) {
           Manifolds<double> manifolds;
           contacts(a, pose_a.value, b, pose_b.value, margin, manifolds, t);
@@ -164,7 +159,7 @@ void add_points_and_rays(py::module_& m) {
          bool back_faces, const py::object& trace) {
         const Ray<double> ray{origin.value, direction.value};
         return answered(trace, [&](Trace* t) -> py::object {
-          const auto hit = raycast(shape, pose.value, ray, checked_limit(length, "length"),
+          const auto hit = raycast(shape, pose.value, ray, checked_reach(length, "length"),
                                    back_faces ? BackFaces::hit : BackFaces::ignored, t);
           return hit ? py::cast(*hit) : py::none();
         });
@@ -185,7 +180,7 @@ direction need not be of unit length; t of the hit is a length.
       [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
          bool back_faces) {
         return raycast_any(shape, pose.value, Ray<double>{origin.value, direction.value},
-                           checked_limit(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
+                           checked_reach(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
       py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("back_faces") = true,
@@ -196,7 +191,7 @@ direction need not be of unit length; t of the hit is a length.
          bool back_faces) {
         std::vector<RayHit<double>> hits;
         raycast_all(shape, pose.value, Ray<double>{origin.value, direction.value}, hits,
-                    checked_limit(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
+                    checked_reach(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
         return list_of(hits);
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),

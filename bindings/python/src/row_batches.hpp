@@ -2,7 +2,12 @@
 // The interpreter's lock is released while they are answered.
 #pragma once
 
+#include <pybind11/stl.h>
+
+#include "graze/plane/reduce.hpp"
+#include "graze/world/reduce.hpp"
 #include "sides.hpp"
+#include "whole.hpp"
 
 namespace graze::python {
 
@@ -89,9 +94,16 @@ class Velocities {
   std::vector<typename Words::Turning> angular_;
 };
 
-inline double checked_reach(double value, const char* name) {
-  if (!(value >= 0)) validate::fail(name, "a number >= 0", value);
-  return value;
+/// The contacts of all pairs of a question, of each of which at most `most` points are kept.
+template <class Contacts, class Asked>
+Contacts found_contacts(const Asked& question, double margin, const std::optional<Whole>& most) {
+  checked_reach(margin, "margin");
+  std::optional<std::size_t> count;
+  if (most) count = most->at_least<std::size_t>(1, "most");
+  return question.template found<Contacts>([margin, count](const auto& asked, auto& answers) {
+    contacts(asked, margin, answers);
+    if (count) reduce(answers, *count);
+  });
 }
 
 template <class Words>

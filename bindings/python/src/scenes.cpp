@@ -36,7 +36,7 @@ void add_scenes(py::module_& m) {
       .def_readonly("pose", &io::Collider::pose)
       .def_readonly("filter", &io::Collider::filter)
       .def_readonly("trigger", &io::Collider::trigger)
-      .def_property_readonly("shape", [](const io::Collider& c) { return object_of(c.shape); })
+      .def_property_readonly("shape", [](const io::Collider& c) { return ShapeObject{object_of(c.shape)}; })
       .def("__repr__", [](const io::Collider& c) { return "<graze.Collider " + c.name + ">"; });
   py::class_<io::Scene>(m, "Scene", "What a file holds.")
       .def_readonly("source", &io::Scene::source)

@@ -370,7 +370,7 @@ void add_shapes(py::module_& m) {
       .def(
           "swept",
           [](const Shaped& shape, const Placement& pose, const Vector& motion) {
-            return object_of(swept(shape, pose.value, motion.value));
+            return ShapeObject{object_of(swept(shape, pose.value, motion.value))};
           },
           py::arg("pose"), py::arg("motion"),
           R"(The volume that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion`.
@@ -429,7 +429,7 @@ Without turning; the result stands at the same pose. Raises ValueError.
       .def("__getitem__", [](const ShapeArray& a, std::size_t i) {
         if (i >= a.shapes.size())
           throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(a.shapes.size()) + " shapes");
-        return object_of(a.shapes[i]);
+        return ShapeObject{object_of(a.shapes[i])};
       });
 }
 

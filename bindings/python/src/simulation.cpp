@@ -161,7 +161,8 @@ void add_simulation(py::module_& m) {
   SimulationMethods<SpaceWords>::add(m, R"(What happens next: bodies fall, collide, hang on joints and come to rest.
 
 gravity: three numbers. sub_steps: of a step, a power of two. sleep: islands at rest cost nothing.
-continuous: what moves fast passes through nothing.
+continuous: what moves fast passes through nothing. most_sub_steps: for an island under load, 64 by
+default. longest_step: longer ones are refused.
 
 >>> import graze
 >>> simulation = graze.Simulation()

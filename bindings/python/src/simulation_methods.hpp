@@ -69,13 +69,8 @@ class SimulationMethods {
     add_material(m);
     py::class_<State>(m, "State", "A state of a simulation, to go back to. In memory alone: a State is not pickled.");
     py::class_<Own> simulation(m, "Simulation", doc);
-    const Settings usual;
+    add_constructor(simulation);
     simulation
-        .def(py::init([](const Vector& gravity, int sub_steps, bool sleep, bool continuous) {
-               return std::make_unique<Own>(settings(gravity, sub_steps, sleep, continuous));
-             }),
-             py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
-             py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous)
         .def(
             "save", [](const Own& s) { return s.read()->save(); }, "The State that `restore` goes back to.")
         .def(
@@ -96,14 +91,8 @@ class SimulationMethods {
 A frame is in the file when `step` returns. Shapes are those that the file holds: a convex hull is
 built anew from its vertices. Raises ValueError for a file that takes no bytes, and for what a file
 cannot hold: a shape with a support function in Python.)");
-    const Settings usual;
+    add_constructor<Own, std::filesystem::path>(simulation, py::arg("file"));
     simulation
-        .def(py::init([](const std::filesystem::path& file, const Vector& gravity, int sub_steps, bool sleep,
-                         bool continuous) {
-               return std::make_unique<Own>(file, settings(gravity, sub_steps, sleep, continuous));
-             }),
-             py::arg("file"), py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
-             py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous)
         .def(
             "save", [](Own& s) { return CapturedState{s.change()->save()}; },
             "The state that `restore` goes back to, as a replay will. There are at most 16 at a time: ValueError.")
@@ -117,14 +106,24 @@ cannot hold: a shape with a support function in Python.)");
   }
 
  private:
-  static Settings settings(const Vector& gravity, int sub_steps, bool sleep, bool continuous) {
-    Settings settings;
-    settings.gravity = gravity.value;
-    settings.sub_steps = sub_steps;
-    settings.most_sub_steps = greatest(settings.most_sub_steps, sub_steps);
-    settings.sleep = sleep;
-    settings.continuous = continuous;
-    return settings;
+  /// Defines the constructor, whose last arguments are a simulation's settings; the first ones are `Before`.
+  template <class Own, class... Before, class... Names>
+  static void add_constructor(py::class_<Own>& simulation, const Names&... names) {
+    const Settings usual;
+    simulation.def(py::init([](const Before&... before, const Vector& gravity, int sub_steps, bool sleep,
+                               bool continuous, std::optional<int> most_sub_steps, double longest_step) {
+                     Settings settings;
+                     settings.gravity = gravity.value;
+                     settings.sub_steps = sub_steps;
+                     settings.most_sub_steps = most_sub_steps.value_or(greatest(settings.most_sub_steps, sub_steps));
+                     settings.sleep = sleep;
+                     settings.continuous = continuous;
+                     settings.longest_step = longest_step;
+                     return std::make_unique<Own>(before..., settings);
+                   }),
+                   names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
+                   py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous,
+                   py::arg("most_sub_steps") = py::none(), py::arg("longest_step") = usual.longest_step);
   }
 
   /// Defines the methods of all simulations.
@@ -148,15 +147,19 @@ cannot hold: a shape with a support function in Python.)");
         py::arg("on"), py::arg("simulation"), "As a world, with what sleeps told apart, and joints.");
   }
 
+  template <class Own>
+  static JointId added(Own& simulation, Joint joint, bool enable_collision) {
+    joint.enable_collision = enable_collision;
+    return simulation.change()->add(joint);
+  }
+
   /// Defines a joint that needs no more than its frames, by the name of its method.
   template <class Own, class Make>
   static void add_joint(py::class_<Own>& simulation, const char* name, Make make, const char* doc) {
     simulation.def(
         name,
         [make](Own& s, BodyId a, const Placement& frame_a, BodyId b, const Placement& frame_b, bool enable_collision) {
-          Joint joint = make(a, frame_a.value, b, frame_b.value);
-          joint.enable_collision = enable_collision;
-          return s.change()->add(joint);
+          return added(s, make(a, frame_a.value, b, frame_b.value), enable_collision);
         },
         py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("enable_collision") = false, doc);
   }
@@ -281,7 +284,8 @@ RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longe
             [](Own& s, const Shape& shape, const Placement& pose, const Vector& linear, const Turning& angular,
                std::optional<double> mass, double density, bool fixed, bool kinematic, double gravity_factor,
                double linear_damping, double angular_damping, const Filter& filter, bool trigger,
-               const Material& material, bool may_sleep) {
+               const Material& material, bool may_sleep, const std::optional<Vector>& center_of_mass,
+               const py::object& inertia) {
               const auto changed = s.change();
               Body<double, Space> body{Words::value_of(shape),
                                        pose.value,
@@ -293,6 +297,8 @@ RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longe
                                        false};
               Dynamics dynamics;
               dynamics.mass = mass;
+              if (center_of_mass) dynamics.center_of_mass = center_of_mass->value;
+              if (!inertia.is_none()) Words::set_inertia(dynamics, inertia);
               dynamics.density = density;
               dynamics.kinematic = kinematic;
               dynamics.gravity_factor = gravity_factor;
@@ -309,6 +315,7 @@ RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longe
             py::arg("gravity_factor") = usual.gravity_factor, py::arg("linear_damping") = usual.linear_damping,
             py::arg("angular_damping") = usual.angular_damping, py::arg("filter") = Filter{},
             py::arg("trigger") = false, py::arg("material") = Material{}, py::arg("may_sleep") = usual.may_sleep,
+            py::arg("center_of_mass") = py::none(), py::arg("inertia") = py::none(),
             (std::string("Adds a body, with ") + Words::measure +
              R"( times `density` unless `mass` is given, and returns its BodyId.
 
@@ -316,8 +323,11 @@ linear: velocity of the pose's origin in world axes, length per unit of time. an
 )" + Words::turning_unit +
              R"(. fixed: never moves. kinematic: keeps the velocity
 that it is given; pushes and is not pushed. may_sleep: whether it sleeps with its island where
-nothing in it moves. Raises ValueError for a mass that is none, and a body with mass whose shape
-has no end.)")
+nothing in it moves. center_of_mass: in the body's frame, by default the shape's. inertia:
+)" + Words::inertia_given +
+             R"(; by default
+the shape's, filled evenly with the mass. Raises ValueError for a mass or an inertia that is none,
+and a body with mass whose shape has no end.)")
                 .c_str())
         .def(
             "remove",
@@ -432,18 +442,21 @@ has no end.)")
     simulation
         .def(
             "join_slider",
-            [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max) {
-              return s.change()->add(slider_joint<double>(a, f.value, b, g.value, min, max));
+            [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max,
+               bool enable_collision) {
+              return added(s, slider_joint<double>(a, f.value, b, g.value, min, max), enable_collision);
             },
             py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("min") = -infinity,
-            py::arg("max") = infinity, "A way along the frames' x axis is free, from `min` to `max`.")
+            py::arg("max") = infinity, py::arg("enable_collision") = false,
+            "A way along the frames' x axis is free, from `min` to `max`.")
         .def(
             "join_distance",
-            [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max) {
-              return s.change()->add(distance_joint<double>(a, f.value, b, g.value, min, max));
+            [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max,
+               bool enable_collision) {
+              return added(s, distance_joint<double>(a, f.value, b, g.value, min, max), enable_collision);
             },
             py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("min"), py::arg("max"),
-            "The origins of the frames stay from `min` to `max` apart.")
+            py::arg("enable_collision") = false, "The origins of the frames stay from `min` to `max` apart.")
         .def(
             "join",
             [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g,

@@ -28,6 +28,14 @@ struct Whole {
                      std::string(py::str(py::handle(value))));
     return value.cast<Number>();
   }
+  /// The number, which is not less than `least`. Throws `InvalidValue`.
+  template <class Number>
+  Number at_least(Number least, const char* path) const {
+    const Number number = as<Number>(path);
+    if (number < least)
+      validate::fail(path, "a number >= " + std::to_string(least), std::string(py::str(py::handle(value))));
+    return number;
+  }
 };
 
 }  // namespace graze::python

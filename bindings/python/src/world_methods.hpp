@@ -5,9 +5,12 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "answers.hpp"
+#include "decision.hpp"
 #include "graze/slide.hpp"
 #include "graze/world/reduce.hpp"
 #include "plain_values.hpp"
+#include "shapes.hpp"
+#include "whole.hpp"
 #include "world.hpp"
 
 namespace graze::python {
@@ -15,17 +18,10 @@ namespace graze::python {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr std::uint64_t all_bits = ~std::uint64_t{0};
 
-inline QueryFilter query_filter(std::uint64_t category, std::uint64_t mask, bool triggers) {
-  return {Filter{category, mask, 0}, triggers, {}};
-}
 inline double checked_duration(double duration) {
   if (!(duration >= 0 && duration <= largest_magnitude<double>))
     validate::fail("duration", "a finite number >= 0", duration);
   return duration;
-}
-inline double checked_reach(double value, const char* name) {
-  if (!(value >= 0)) validate::fail(name, "a number >= 0", value);
-  return value;
 }
 
 py::tuple object_of(const ContactEvent& event);
@@ -55,10 +51,18 @@ class WorldMethods {
     using Own = OwnWorld<Words>;
     py::class_<Own, View> world(m, "World", world_doc);
     world
-        .def(py::init([](std::optional<double> margin, std::optional<std::size_t> points_per_pair) {
-               return std::make_unique<Own>(settings(margin, points_per_pair));
+        .def(py::init([](std::optional<double> margin, const std::optional<Whole>& points_per_pair,
+                         const py::object& allow) {
+               WorldSettings<double> given = settings(margin, points_per_pair);
+               given.allow = decision<BodyId, BodyId>(allow, "allow");
+               return std::make_unique<Own>(given);
              }),
-             py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none())
+             py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none(), py::arg("allow") = py::none())
+        .def(
+            "set_allow",
+            [](Own& w, const py::object& allow) { w.change()->set_allow(decision<BodyId, BodyId>(allow, "allow")); },
+            py::arg("allow"),
+            "Another last word on pairs, a function of two BodyIds, from the next update on; None allows all.")
         .def("set_impulses", &set_impulses, py::arg("impulses"),
              (std::string("What a solver has pushed at each of `points`, shape (n, ") +
               std::to_string(Words::vector_size) +
@@ -66,9 +70,8 @@ class WorldMethods {
                  .c_str())
         .def(
             "reduce",
-            [](Own& w, std::size_t count) {
-              if (count == 0) validate::fail("count", "a number >= 1", 0);
-              graze::reduce(w.change()->contacts(), count);
+            [](Own& w, const Whole& count) {
+              graze::reduce(w.change()->contacts(), count.at_least<std::size_t>(1, "count"));
             },
             py::arg("count"),
             R"(Keeps at most `count` points of each pair, of all its manifolds together: those that span most.
@@ -90,7 +93,7 @@ built anew from its vertices. Raises ValueError for a file that takes no bytes, 
 cannot hold: a shape with a support function in Python.)");
     world
         .def(py::init([](const std::filesystem::path& file, std::optional<double> margin,
-                         std::optional<std::size_t> points_per_pair) {
+                         const std::optional<Whole>& points_per_pair) {
                return std::make_unique<Own>(file, settings(margin, points_per_pair));
              }),
              py::arg("file"), py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none())
@@ -118,11 +121,26 @@ cannot hold: a shape with a support function in Python.)");
  private:
   using ViewClass = py::class_<View>;
 
-  static WorldSettings<double> settings(std::optional<double> margin, std::optional<std::size_t> points_per_pair) {
+  static WorldSettings<double> settings(std::optional<double> margin, const std::optional<Whole>& points_per_pair) {
     WorldSettings<double> settings;
     settings.margin = margin;
-    settings.points_per_pair = points_per_pair;
+    if (points_per_pair) settings.points_per_pair = points_per_pair->as<std::size_t>("points_per_pair");
     return settings;
+  }
+
+  /// Defines a question whose last arguments are a filter's; `Given` are those before, with their names.
+  template <class... Given, class Ask, class... Names>
+  static void add_question(ViewClass& view, const char* name, const Ask& ask, const char* doc, const Names&... names) {
+    view.def(
+        name,
+        [ask](const View& w, const Given&... given, const Whole& category, const Whole& mask, bool triggers,
+              const Whole& group, const py::object& accept) {
+          const Filter filter{category.as<std::uint64_t>("category"), mask.as<std::uint64_t>("mask"),
+                              group.as<std::int32_t>("group")};
+          return ask(w, given..., QueryFilter{filter, triggers, decision<BodyId>(accept, "accept")});
+        },
+        names..., py::arg("category") = Whole(all_bits), py::arg("mask") = Whole(all_bits), py::arg("triggers") = false,
+        py::arg("group") = Whole(0), py::arg("accept") = py::none(), doc);
   }
 
   static py::dtype manifold_type() {
@@ -139,14 +157,21 @@ cannot hold: a shape with a support function in Python.)");
   static py::array copied(const std::vector<Record>& values, const py::dtype& type) {
     return records(std::vector<Record>(values), type);
   }
+  using RayHit = typename Space::RayHit;
+  using CastHit = typename Space::CastHit;
+  /// A body and its hit, as Python has them.
   template <class Hit>
-  static py::object pair_or_none(const std::optional<Hit>& found) {
-    return found ? py::object(py::make_tuple(found->body, found->hit)) : py::none();
+  using Told = std::tuple<BodyId, Hit>;
+
+  template <class Hit, class Found>
+  static std::optional<Told<Hit>> told(const std::optional<Found>& found) {
+    if (!found) return std::nullopt;
+    return Told<Hit>{found->body, found->hit};
   }
-  template <class Hits>
-  static py::list pairs_of(const Hits& hits) {
-    py::list out;
-    for (const auto& hit : hits) out.append(py::make_tuple(hit.body, hit.hit));
+  template <class Hit, class Hits>
+  static std::vector<Told<Hit>> all_told(const Hits& hits) {
+    std::vector<Told<Hit>> out;
+    for (const auto& hit : hits) out.push_back({hit.body, hit.hit});
     return out;
   }
 
@@ -263,7 +288,9 @@ ValueError for a duration that is negative or not finite.)");
   }
 
   static void add_bodies(ViewClass& view) {
-    view.def("shape", &View::shape, py::arg("body"), "The shape of a body.")
+    view.def(
+            "shape", [](const View& w, BodyId id) { return ShapeObject{w.shape(id)}; }, py::arg("body"),
+            "The shape of a body.")
         .def(
             "pose",
             [](const View& w, BodyId id) {
@@ -325,115 +352,98 @@ ValueError for a duration that is negative or not finite.)");
   }
 
   static void add_shape_questions(ViewClass& view) {
-    view.def(
-            "overlapping",
-            [](const View& w, const Shape& shape, const Placement& pose, std::uint64_t category, std::uint64_t mask,
-               bool triggers) {
-              std::vector<BodyId> found;
-              w.read()->overlapping(Words::value_of(shape), pose.value, query_filter(category, mask, triggers), found);
-              return found;
-            },
-            py::arg("shape"), py::arg("pose") = py::none(), py::arg("category") = all_bits, py::arg("mask") = all_bits,
-            py::arg("triggers") = false, "The bodies that touch a shape, by index.")
-        .def(
-            "overlaps_any",
-            [](const View& w, const Shape& shape, const Placement& pose, std::uint64_t category, std::uint64_t mask,
-               bool triggers) {
-              return w.read()->overlaps_any(Words::value_of(shape), pose.value, query_filter(category, mask, triggers));
-            },
-            py::arg("shape"), py::arg("pose") = py::none(), py::arg("category") = all_bits, py::arg("mask") = all_bits,
-            py::arg("triggers") = false, "Whether any body touches a shape; ends at the first.")
-        .def(
-            "nearest",
-            [](const View& w, const Shape& shape, const Placement& pose, std::size_t count, double limit,
-               std::uint64_t category, std::uint64_t mask, bool triggers) {
-              std::vector<BodyDistance<double, Space>> found;
-              w.read()->nearest(Words::value_of(shape), pose.value, count, checked_reach(limit, "limit"),
-                                query_filter(category, mask, triggers), found);
-              py::list out;
-              for (const auto& f : found) out.append(py::make_tuple(f.body, f.distance));
-              return out;
-            },
-            py::arg("shape"), py::arg("pose") = py::none(), py::arg("count") = 1, py::arg("limit") = infinity,
-            py::arg("category") = all_bits, py::arg("mask") = all_bits, py::arg("triggers") = false,
-            "The `count` bodies nearest to a shape and within `limit`, the nearest first: (BodyId, Distance).")
-        .def(
-            "cast",
-            [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
-               const Turning& angular, std::uint64_t category, std::uint64_t mask, bool triggers) {
-              return pair_or_none(w.read()->cast(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
-                                                 checked_duration(duration), query_filter(category, mask, triggers)));
-            },
-            py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
-            py::arg("angular") = Turning{}, py::arg("category") = all_bits, py::arg("mask") = all_bits,
-            py::arg("triggers") = false,
-            "The first body that a moving shape meets: (BodyId, CastHit) or None; the bodies stand still.")
-        .def(
-            "cast_all",
-            [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
-               const Turning& angular, std::uint64_t category, std::uint64_t mask, bool triggers) {
-              std::vector<BodyCastHit<double, Space>> hits;
-              w.read()->cast_all(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
-                                 checked_duration(duration), query_filter(category, mask, triggers), hits);
-              return pairs_of(hits);
-            },
-            py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
-            py::arg("angular") = Turning{}, py::arg("category") = all_bits, py::arg("mask") = all_bits,
-            py::arg("triggers") = false,
-            "All bodies that a moving shape meets, each where it is first met, in the order of time.");
-    add_slide(view);
-  }
-
-  static void add_slide(ViewClass& view) {
-    view.def(
-        "slide",
-        [](const View& w, const Shape& shape, const Placement& pose, const Vector& motion, int casts,
-           std::uint64_t category, std::uint64_t mask, bool triggers) {
-          if (casts < 1) validate::fail("casts", "a number >= 1", casts);
-          const auto found = slide(Words::value_of(shape), pose.value, Words::checked(motion, "motion"), *w.read(),
-                                   query_filter(category, mask, triggers), SlideOptions{casts});
-          return py::make_tuple(found.pose, Words::object_of(found.left), pairs_of(found.touched));
+    add_question<Shape, Placement>(
+        view, "overlapping",
+        [](const View& w, const Shape& shape, const Placement& pose, const QueryFilter& filter) {
+          std::vector<BodyId> found;
+          w.read()->overlapping(Words::value_of(shape), pose.value, filter, found);
+          return found;
         },
-        py::arg("shape"), py::arg("pose"), py::arg("motion"), py::arg("casts") = SlideOptions{}.iterations,
-        py::arg("category") = all_bits, py::arg("mask") = all_bits, py::arg("triggers") = false,
+        R"(The bodies that touch a shape, by index.
+
+category, mask, group: of the question, as in a Filter; triggers: finds those too; accept: the last
+word, a function of a BodyId. They are those of all questions to a world.)",
+        py::arg("shape"), py::arg("pose") = py::none());
+    add_question<Shape, Placement>(
+        view, "overlaps_any",
+        [](const View& w, const Shape& shape, const Placement& pose, const QueryFilter& filter) {
+          return w.read()->overlaps_any(Words::value_of(shape), pose.value, filter);
+        },
+        "Whether any body touches a shape; ends at the first.", py::arg("shape"), py::arg("pose") = py::none());
+    add_question<Shape, Placement, Whole, double>(
+        view, "nearest",
+        [](const View& w, const Shape& shape, const Placement& pose, const Whole& count, double limit,
+           const QueryFilter& filter) {
+          std::vector<BodyDistance<double, Space>> found;
+          w.read()->nearest(Words::value_of(shape), pose.value, count.as<std::size_t>("count"),
+                            checked_reach(limit, "limit"), filter, found);
+          std::vector<Told<typename Space::Distance>> out;
+          for (const auto& f : found) out.push_back({f.body, f.distance});
+          return out;
+        },
+        "The `count` bodies nearest to a shape and within `limit`, the nearest first: (BodyId, Distance).",
+        py::arg("shape"), py::arg("pose") = py::none(), py::arg("count") = Whole(1), py::arg("limit") = infinity);
+    add_question<Shape, Placement, Vector, double, Turning>(
+        view, "cast",
+        [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
+           const Turning& angular, const QueryFilter& filter) {
+          return told<CastHit>(w.read()->cast(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
+                                              checked_duration(duration), filter));
+        },
+        "The first body that a moving shape meets: (BodyId, CastHit) or None; the bodies stand still.",
+        py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
+        py::arg("angular") = Turning{});
+    add_question<Shape, Placement, Vector, double, Turning>(
+        view, "cast_all",
+        [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
+           const Turning& angular, const QueryFilter& filter) {
+          std::vector<BodyCastHit<double, Space>> hits;
+          w.read()->cast_all(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
+                             checked_duration(duration), filter, hits);
+          return all_told<CastHit>(hits);
+        },
+        "All bodies that a moving shape meets, each where it is first met, in the order of time.", py::arg("shape"),
+        py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0, py::arg("angular") = Turning{});
+    add_question<Shape, Placement, Vector, Whole>(
+        view, "slide",
+        [](const View& w, const Shape& shape, const Placement& pose, const Vector& motion, const Whole& casts,
+           const QueryFilter& filter) {
+          const auto found = slide(Words::value_of(shape), pose.value, Words::checked(motion, "motion"), *w.read(),
+                                   filter, SlideOptions{casts.at_least<int>(1, "casts")});
+          return py::make_tuple(found.pose, Words::object_of(found.left), all_told<CastHit>(found.touched));
+        },
         R"(Moves a shape by `motion` until it touches, then along what it touches, and so on, without turning.
 
 Returns (Pose where it ends, what is left of the motion after so many casts, what was in the way:
-(BodyId, CastHit) in the order in which it was met). The bodies stand still. Raises ValueError.)");
+(BodyId, CastHit) in the order in which it was met). The bodies stand still. Raises ValueError.)",
+        py::arg("shape"), py::arg("pose"), py::arg("motion"), py::arg("casts") = Whole(SlideOptions{}.iterations));
   }
 
   static void add_ray_questions(ViewClass& view) {
-    view.def(
-            "raycast",
-            [](const View& w, const Vector& origin, const Vector& direction, double length, std::uint64_t category,
-               std::uint64_t mask, bool triggers) {
-              return pair_or_none(w.read()->raycast({origin.value, direction.value}, checked_reach(length, "length"),
-                                                    query_filter(category, mask, triggers)));
-            },
-            py::arg("origin"), py::arg("direction"), py::arg("length") = infinity, py::arg("category") = all_bits,
-            py::arg("mask") = all_bits, py::arg("triggers") = false,
-            "The first body that a ray hits: (BodyId, RayHit) or None.")
-        .def(
-            "raycast_any",
-            [](const View& w, const Vector& origin, const Vector& direction, double length, std::uint64_t category,
-               std::uint64_t mask, bool triggers) {
-              return w.read()->raycast_any({origin.value, direction.value}, checked_reach(length, "length"),
-                                           query_filter(category, mask, triggers));
-            },
-            py::arg("origin"), py::arg("direction"), py::arg("length") = infinity, py::arg("category") = all_bits,
-            py::arg("mask") = all_bits, py::arg("triggers") = false, "Whether a ray hits any body; ends at the first.")
-        .def(
-            "raycast_all",
-            [](const View& w, const Vector& origin, const Vector& direction, double length, std::uint64_t category,
-               std::uint64_t mask, bool triggers) {
-              std::vector<BodyRayHit<double, Space>> hits;
-              w.read()->raycast_all({origin.value, direction.value}, checked_reach(length, "length"),
-                                    query_filter(category, mask, triggers), hits);
-              return pairs_of(hits);
-            },
-            py::arg("origin"), py::arg("direction"), py::arg("length") = infinity, py::arg("category") = all_bits,
-            py::arg("mask") = all_bits, py::arg("triggers") = false,
-            "All bodies that a ray hits, each where it is first hit, in the order of the ray.");
+    add_question<Vector, Vector, double>(
+        view, "raycast",
+        [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
+          return told<RayHit>(
+              w.read()->raycast({origin.value, direction.value}, checked_reach(length, "length"), filter));
+        },
+        "The first body that a ray hits: (BodyId, RayHit) or None.", py::arg("origin"), py::arg("direction"),
+        py::arg("length") = infinity);
+    add_question<Vector, Vector, double>(
+        view, "raycast_any",
+        [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
+          return w.read()->raycast_any({origin.value, direction.value}, checked_reach(length, "length"), filter);
+        },
+        "Whether a ray hits any body; ends at the first.", py::arg("origin"), py::arg("direction"),
+        py::arg("length") = infinity);
+    add_question<Vector, Vector, double>(
+        view, "raycast_all",
+        [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
+          std::vector<BodyRayHit<double, Space>> hits;
+          w.read()->raycast_all({origin.value, direction.value}, checked_reach(length, "length"), filter, hits);
+          return all_told<RayHit>(hits);
+        },
+        "All bodies that a ray hits, each where it is first hit, in the order of the ray.", py::arg("origin"),
+        py::arg("direction"), py::arg("length") = infinity);
   }
 };
 

@@ -16,7 +16,13 @@ def distance(
     a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, pairs: ArrayLike | None = None
 ) -> NDArray[Any]: ...
 def contacts(
-    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, margin: float = 0.0, pairs: ArrayLike | None = None
+    a: Shapes,
+    poses_a: Poses,
+    b: Shapes,
+    poses_b: Poses,
+    margin: float = 0.0,
+    pairs: ArrayLike | None = None,
+    most: int | None = None,
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
 def closest(shape: Shape, pose: PoseLike, points: ArrayLike) -> NDArray[Any]: ...
 def raycast(
