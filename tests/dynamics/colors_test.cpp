@@ -91,7 +91,7 @@ auto play(Executor* executor, const Add& add) {
   Sim s({}, executor);
   for (int row = 0; row < base; ++row)
     for (int i = 0; i < base - row; ++i) add(s, i + row / 2.0, row + 0.5 + 0.01 * ((3 * i + row) % 4));
-  for (int i = 0; i < 12; ++i) s.step(1.0f / 64);
+  for (int i = 0; i < 6; ++i) s.step(1.0f / 64);
   // More points than 512 pairs can have in the plane, where a pair has two at most: the island is a large one.
   EXPECT_GT(s.report().contacts, 1024u);
   EXPECT_EQ(s.report().islands, 1u);
