@@ -21,7 +21,7 @@ void add(std::array<T, N>& a, const std::array<T, N>& b, T times) {
 
 /// The part of the rate that a loop's row would give its bodies alone, by which it yields.
 template <class T>
-inline constexpr T loop_yielding = T(1) / T(1024);
+inline constexpr T loop_yielding = T(1) / T(2048);
 
 template <class T>
 std::array<T, 6> coordinates(const Vec3<T>& linear, const Vec3<T>& angular) {

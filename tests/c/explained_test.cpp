@@ -195,9 +195,9 @@ TEST(BlowsInC, AreThoseOfCpp) {
   GrazeInverseMassd of_tensor;
   OK(graze_inverse_mass_of_tensor_d(12, &tensor, {0, 0, 0, 1}, &of_tensor));
   for (int i = 0; i < 3; ++i) {
-    EXPECT_DOUBLE_EQ(of_tensor.inertia.row[i].x, inverse.inertia.row[i].x);
-    EXPECT_DOUBLE_EQ(of_tensor.inertia.row[i].y, inverse.inertia.row[i].y);
-    EXPECT_DOUBLE_EQ(of_tensor.inertia.row[i].z, inverse.inertia.row[i].z);
+    EXPECT_NEAR(of_tensor.inertia.row[i].x, inverse.inertia.row[i].x, 1e-14);
+    EXPECT_NEAR(of_tensor.inertia.row[i].y, inverse.inertia.row[i].y, 1e-14);
+    EXPECT_NEAR(of_tensor.inertia.row[i].z, inverse.inertia.row[i].z, 1e-14);
   }
   EXPECT_EQ(graze_inverse_mass_of_tensor_d(12, &lopsided, {0, 0, 0, 1}, &of_tensor), GRAZE_INVALID_VALUE);
   const GrazeStruckBodyd ground{}, falling{{{1, -3, 0}, {0, 0, 0.5}, {-0.5, 1, 0}}, inverse};

@@ -237,7 +237,7 @@ TEST(SampleScenes, ARobotWalks) {
   const Played played(kept(Robot().scene, "sample-robot", "it walks on"), 20);
   EXPECT_EQ(played.moving.size(), 17u);
   EXPECT_TRUE(is_finite(played));
-  EXPECT_LE(LimitErrors(played).worst(), 1.5e-3);  // joints that close loops yield a little (1.2 mm)
+  EXPECT_LE(LimitErrors(played).worst(), 1e-3);
   const double way = 4 * Robot::crank * 20 * Robot::speed / (2 * pi);
   EXPECT_NEAR(played.end("torso").pose.translation.x, way, 0.1 * way);
   for (const SimulationFrame& frame : played.frames)
