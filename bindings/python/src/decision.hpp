@@ -1,4 +1,4 @@
-// Decisions on bodies by functions in Python, which the library asks in the middle of a call.
+// Decisions on bodies by functions in Python, called by the library in the middle of a query.
 #pragma once
 
 #include <functional>

@@ -37,8 +37,8 @@ array([1., 0.])
                                 R"(Bodies of the plane that come, move and go, and what touches.
 
 margin: contacts are reported up to this far apart, >= 0; by default a hundredth of the smaller
-body's size. points_per_pair: at most so many points a pair. allow: the last word on pairs that
-their filters allow, a function of two BodyIds. Raises ValueError. Handles of bodies
+body's size. points_per_pair: at most so many points a pair. allow: the final decision on
+pairs that their filters allow, a function of two BodyIds. Raises ValueError. Handles of bodies
 and filters are those of space.
 
 >>> from graze import plane

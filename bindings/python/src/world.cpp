@@ -92,8 +92,8 @@ array([1., 0., 0.])
                                 R"(Bodies that come, move and go, and what touches.
 
 margin: contacts are reported up to this far apart, >= 0; by default a hundredth of the smaller
-body's size. points_per_pair: at most so many points a pair. allow: the last word on pairs that
-their filters allow, a function of two BodyIds. Raises ValueError.
+body's size. points_per_pair: at most so many points a pair. allow: the final decision on
+pairs that their filters allow, a function of two BodyIds. Raises ValueError.
 
 >>> import graze
 >>> world = graze.World()

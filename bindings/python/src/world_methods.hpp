@@ -62,7 +62,8 @@ class WorldMethods {
             "set_allow",
             [](Own& w, const py::object& allow) { w.change()->set_allow(decision<BodyId, BodyId>(allow, "allow")); },
             py::arg("allow"),
-            "Another last word on pairs, a function of two BodyIds, from the next update on; None allows all.")
+            "Replaces the final decision on pairs, a function of two BodyIds, from the next update on; None allows "
+            "all.")
         .def("set_impulses", &set_impulses, py::arg("impulses"),
              (std::string("What a solver has pushed at each of `points`, shape (n, ") +
               std::to_string(Words::vector_size) +
@@ -159,18 +160,18 @@ cannot hold: a shape with a support function in Python.)");
   }
   using RayHit = typename Space::RayHit;
   using CastHit = typename Space::CastHit;
-  /// A body and its hit, as Python has them.
+  /// A body and a hit of it, a pair in Python.
   template <class Hit>
-  using Told = std::tuple<BodyId, Hit>;
+  using BodyAnd = std::tuple<BodyId, Hit>;
 
   template <class Hit, class Found>
-  static std::optional<Told<Hit>> told(const std::optional<Found>& found) {
+  static std::optional<BodyAnd<Hit>> body_and_hit(const std::optional<Found>& found) {
     if (!found) return std::nullopt;
-    return Told<Hit>{found->body, found->hit};
+    return BodyAnd<Hit>{found->body, found->hit};
   }
   template <class Hit, class Hits>
-  static std::vector<Told<Hit>> all_told(const Hits& hits) {
-    std::vector<Told<Hit>> out;
+  static std::vector<BodyAnd<Hit>> bodies_and_hits(const Hits& hits) {
+    std::vector<BodyAnd<Hit>> out;
     for (const auto& hit : hits) out.push_back({hit.body, hit.hit});
     return out;
   }
@@ -361,8 +362,8 @@ ValueError for a duration that is negative or not finite.)");
         },
         R"(The bodies that touch a shape, by index.
 
-category, mask, group: of the question, as in a Filter; triggers: finds those too; accept: the last
-word, a function of a BodyId. They are those of all questions to a world.)",
+category, mask, group: of the question, as in a Filter; triggers: finds those too; accept: the final
+decision on a body, a function of its BodyId. All questions to a world have them.)",
         py::arg("shape"), py::arg("pose") = py::none());
     add_question<Shape, Placement>(
         view, "overlaps_any",
@@ -377,7 +378,7 @@ word, a function of a BodyId. They are those of all questions to a world.)",
           std::vector<BodyDistance<double, Space>> found;
           w.read()->nearest(Words::value_of(shape), pose.value, count.as<std::size_t>("count"),
                             checked_reach(limit, "limit"), filter, found);
-          std::vector<Told<typename Space::Distance>> out;
+          std::vector<BodyAnd<typename Space::Distance>> out;
           for (const auto& f : found) out.push_back({f.body, f.distance});
           return out;
         },
@@ -387,8 +388,9 @@ word, a function of a BodyId. They are those of all questions to a world.)",
         view, "cast",
         [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
            const Turning& angular, const QueryFilter& filter) {
-          return told<CastHit>(w.read()->cast(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
-                                              checked_duration(duration), filter));
+          return body_and_hit<CastHit>(w.read()->cast(Words::value_of(shape), pose.value,
+                                                      Words::velocity(linear, angular), checked_duration(duration),
+                                                      filter));
         },
         "The first body that a moving shape meets: (BodyId, CastHit) or None; the bodies stand still.",
         py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
@@ -400,7 +402,7 @@ word, a function of a BodyId. They are those of all questions to a world.)",
           std::vector<BodyCastHit<double, Space>> hits;
           w.read()->cast_all(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
                              checked_duration(duration), filter, hits);
-          return all_told<CastHit>(hits);
+          return bodies_and_hits<CastHit>(hits);
         },
         "All bodies that a moving shape meets, each where it is first met, in the order of time.", py::arg("shape"),
         py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0, py::arg("angular") = Turning{});
@@ -410,7 +412,7 @@ word, a function of a BodyId. They are those of all questions to a world.)",
            const QueryFilter& filter) {
           const auto found = slide(Words::value_of(shape), pose.value, Words::checked(motion, "motion"), *w.read(),
                                    filter, SlideOptions{casts.at_least<int>(1, "casts")});
-          return py::make_tuple(found.pose, Words::object_of(found.left), all_told<CastHit>(found.touched));
+          return py::make_tuple(found.pose, Words::object_of(found.left), bodies_and_hits<CastHit>(found.touched));
         },
         R"(Moves a shape by `motion` until it touches, then along what it touches, and so on, without turning.
 
@@ -423,7 +425,7 @@ Returns (Pose where it ends, what is left of the motion after so many casts, wha
     add_question<Vector, Vector, double>(
         view, "raycast",
         [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
-          return told<RayHit>(
+          return body_and_hit<RayHit>(
               w.read()->raycast({origin.value, direction.value}, checked_reach(length, "length"), filter));
         },
         "The first body that a ray hits: (BodyId, RayHit) or None.", py::arg("origin"), py::arg("direction"),
@@ -440,7 +442,7 @@ Returns (Pose where it ends, what is left of the motion after so many casts, wha
         [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
           std::vector<BodyRayHit<double, Space>> hits;
           w.read()->raycast_all({origin.value, direction.value}, checked_reach(length, "length"), filter, hits);
-          return all_told<RayHit>(hits);
+          return bodies_and_hits<RayHit>(hits);
         },
         "All bodies that a ray hits, each where it is first hit, in the order of the ray.", py::arg("origin"),
         py::arg("direction"), py::arg("length") = infinity);
