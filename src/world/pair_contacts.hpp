@@ -9,6 +9,7 @@
 #include "narrow/batch/lane_pairs.hpp"
 #include "narrow/pair_table.hpp"
 #include "narrow/sat/cached_axis.hpp"
+#include "plane/beside.hpp"
 #include "plane/pairs/placed_pairs.hpp"
 
 namespace graze {
@@ -74,6 +75,9 @@ struct PairContacts<T, plane::Space<T>> {
   using Shape = plane::Shape<T>;
   using Pose = plane::Pose2<T>;
   using Around = Surroundings<T, plane::PlacedRef<T>>;
+  static T extent_of(const Shape& shape) {
+    return plane::is_bounded(shape) ? plane::extent(shape) : std::numeric_limits<T>::infinity();
+  }
   using Lanes = plane::PairKinds;
   using Pair = plane::PlacedPair<T>;
 
@@ -91,8 +95,28 @@ struct PairContacts<T, plane::Space<T>> {
   }
   static constexpr bool has_axes = false;
   static bool all(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, T margin,
-                  plane::Manifolds<T>& manifolds, const Around&) {
-    return plane::contacts(a, pose_a, b, pose_b, margin, manifolds);
+                  plane::Manifolds<T>& manifolds, const Around& beside) {
+    return beside.empty() ? plane::contacts(a, pose_a, b, pose_b, margin, manifolds)
+                          : plane::contacts_beside(a, pose_a, b, pose_b, margin, manifolds, beside.of_a, beside.of_b);
+  }
+
+  /// Whether the contacts of two convex shapes surely stay the same when all fixed bodies beside either count: none of
+  /// these is near the points.
+  static bool stays(const plane::PlacedRef<T>& a, const plane::PlacedRef<T>& b, const Around& beside,
+                    const plane::Vec2<T>&, std::span<const SolverPoint<T, plane::Space<T>>> points) {
+    const T step = T(plane::seam_step) * least(extent_of(*a.shape), extent_of(*b.shape));
+    const auto clear = [&](std::span<const plane::PlacedRef<T>> around, const plane::Shape<T>* own, auto point) {
+      return std::all_of(around.begin(), around.end(), [&](const plane::PlacedRef<T>& body) {
+        if (body.shape == own) return true;
+        const plane::Aabb2<T> box = plane::bounds(*body.shape, *body.pose);
+        return std::none_of(points.begin(), points.end(), [&](const auto& p) {
+          const plane::Vec2<T> off = p.*point - least(greatest(p.*point, box.lower), box.upper);
+          return length(off) <= step + std::abs(p.distance);
+        });
+      });
+    };
+    return clear(beside.of_a, a.shape, &plane::ContactPoint<T>::a) &&
+           clear(beside.of_b, b.shape, &plane::ContactPoint<T>::b);
   }
 };
 

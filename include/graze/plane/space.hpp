@@ -32,9 +32,8 @@ struct GRAZE_API Space {
   using Velocity = plane::Velocity<T>;
   using CastHit = plane::CastHit<T>;
 
-  /// Whether bodies that move over fixed bodies side by side meet these as if they were one: no, seams are felt between
-  /// fixed bodies, though not within a polygon or a chain.
-  static constexpr bool joins_fixed = false;
+  /// Whether bodies that move over fixed bodies side by side meet these as if they were one.
+  static constexpr bool joins_fixed = true;
 
   /// Placeholder shape at an index whose body is gone.
   static Shape nothing() { return Circle<T>(T(0)); }
