@@ -247,8 +247,8 @@ bool contacts_beside(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
   if (ground_a.empty() && ground_b.empty()) return contacts(a, pose_a, b, pose_b, margin, manifolds);
   const double limit = double(margin);
   const auto within = [&] { return limit; };
-  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
   SmallVector<OutlineVertex, 8> outline_a, outline_b;
+  // Calls `see` with every pair of pieces near each other that has its outlines among the ground.
   const auto visit = [&](const auto& see) {
     for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
       if (pair.apart() > limit) return;
@@ -256,21 +256,31 @@ bool contacts_beside(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
       Core<T> core_a = pair.a, core_b = pair.b;
       ground_a.outline(core_a, pair.pose_a, pair.b, pair.pose_b, size, outline_a);
       ground_b.outline(core_b, pair.pose_b, pair.a, pair.pose_a, size, outline_b);
-      const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
       see(LeafPair<T>{core_a, core_b, pair.pose_a, pair.pose_b, pair.extent_a, pair.extent_b, pair.piece_a,
-                      pair.piece_b},
-          b_in_a, nearest(core_a, core_b, b_in_a, pair.size()));
+                      pair.piece_b});
     });
   };
+  bool matters = false;
+  visit([&](const LeafPair<T>&) { matters = matters || !outline_a.empty() || !outline_b.empty(); });
+  if (!matters) return contacts(a, pose_a, b, pose_b, margin, manifolds);
+
   bool overlaps = false;
-  visit([&](const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found) {
+  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
+  visit([&](const LeafPair<T>& pair) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
+    if (!pair.a.outline && !pair.b.outline) {
+      overlaps = add_manifold(pair, b_in_a, found, limit, manifolds) || overlaps;
+      return;
+    }
     overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
     joined.add(pair, b_in_a, found, limit);
   });
   if (joined.finish() || !overlaps) return overlaps;
   if (ground_a.overlaps(b, pose_b) || ground_b.overlaps(a, pose_a)) return true;
-  visit([&](const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found) {
-    joined.stand_in(pair, b_in_a, found);
+  visit([&](const LeafPair<T>& pair) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
   });
   joined.finish();
   return true;

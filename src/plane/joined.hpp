@@ -13,6 +13,7 @@
 #include "graze/plane/query.hpp"
 #include "graze/small_vector.hpp"
 #include "plane/leaves.hpp"
+#include "plane/manifold.hpp"
 #include "plane/nearest.hpp"
 #include "plane/on_outline.hpp"
 
@@ -38,6 +39,26 @@ Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
   Manifold<T> out;
   take_world(of_a, pair, out);
   return out;
+}
+
+/// Copies the status of a pair's distance, and the error that it may have, to the answer.
+template <class T, class Answer>
+void take_status(const Nearest& found, const LeafPair<T>& pair, Answer& out) {
+  // An error within the tolerance of T is none.
+  if (found.status == Status::bounded && found.error <= double(tolerance<T>) / 2 * pair.size()) return;
+  out.status = found.status;
+  out.error = static_cast<decltype(out.error)>(found.error);
+}
+
+/// Appends the manifold of two convex shapes, if they are within `margin`, and returns whether they overlap.
+template <class T>
+bool add_manifold(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin,
+                  Manifolds<T>& manifolds) {
+  if (const Manifold<double> m = manifold(pair.a, pair.b, b_in_a, found, margin); !m.points.empty()) {
+    take_world(m, pair, manifolds.emplace_back());
+    take_status(found, pair, manifolds.back());
+  }
+  return found.distance - pair.a.radius - pair.b.radius <= 0;
 }
 
 /// Gathers the contacts of two bodies of which at least one has an outline.

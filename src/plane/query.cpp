@@ -16,15 +16,6 @@ namespace graze::plane {
 
 namespace {
 
-/// Copies the status of a pair's distance, and the error that it may have, to the answer.
-template <class T, class Answer>
-void take_status(const Nearest& found, const LeafPair<T>& pair, Answer& out) {
-  // An error within the tolerance of T is none.
-  if (found.status == Status::bounded && found.error <= double(tolerance<T>) / 2 * pair.size()) return;
-  out.status = found.status;
-  out.error = static_cast<decltype(out.error)>(found.error);
-}
-
 /// The answer of a pair of convex shapes in world space, in double.
 template <class T>
 Distance<double> pair_distance(const LeafPair<T>& pair) {
@@ -124,17 +115,6 @@ Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, co
     if (d.distance < best.distance) best = d;
   });
   return best;
-}
-
-/// Appends the manifold of two convex shapes, if they are within `margin`, and returns whether they overlap.
-template <class T>
-bool add_manifold(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin,
-                  Manifolds<T>& manifolds) {
-  if (const Manifold<double> m = manifold(pair.a, pair.b, b_in_a, found, margin); !m.points.empty()) {
-    take_world(m, pair, manifolds.emplace_back());
-    take_status(found, pair, manifolds.back());
-  }
-  return found.distance - pair.a.radius - pair.b.radius <= 0;
 }
 
 /// The contacts of shapes of which one at least is made of pieces.

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "graze/plane/proximity.hpp"
 #include "plane/world_scenario.hpp"
 #include "world/executors.hpp"
 
@@ -20,6 +21,18 @@ template <class T>
 class PlaneWorldOf : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneWorldOf, Scalars);
+
+/// Whether a body is fixed with another fixed one beside it, with which it is one ground (`ground_test.cpp`).
+template <class T>
+bool is_beside_another(const World<T>& world, const Body<T>& body, std::uint32_t index) {
+  const BodyArrays<T>& bodies = world.bodies();
+  if (!body.fixed) return false;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    if (i != index && bodies.alive()[i] != 0 && bodies.fixed()[i] != 0 &&
+        within(body.shape, body.pose, bodies.shapes()[i], bodies.poses()[i], T(0.01)))
+      return true;
+  return false;
+}
 
 /// Every pair there is, asked by itself.
 template <class T>
@@ -40,11 +53,13 @@ void expect_as_asked_one_by_one(const World<T>& world) {
       else
         touch = contacts(a.shape, a.pose, b.shape, b.pose, contact_margin(a.shape, b.shape), manifolds);
       if (!touch && manifolds.empty()) continue;
-      ASSERT_LT(pair, found.pairs.size());
+      const bool of_ground = is_beside_another(world, a, i) || is_beside_another(world, b, j);
+      const bool there = pair < found.pairs.size() && found.pairs[pair].a == i && found.pairs[pair].b == j;
+      if (of_ground && !touch && !there) continue;  // within the margin of what another body of the ground covers
+      ASSERT_TRUE(there);
       const ContactPair<T>& p = found.pairs[pair++];
-      ASSERT_EQ(p.a, i);
-      ASSERT_EQ(p.b, j);
       EXPECT_EQ(p.overlap, touch);
+      if (of_ground) continue;
       const auto of_pair = found.manifolds_of(p);
       ASSERT_EQ(of_pair.size(), manifolds.size());
       for (std::size_t m = 0; m < manifolds.size(); ++m) {
