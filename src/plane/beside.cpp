@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "graze/plane/query.hpp"
 #include "plane/joined.hpp"
 #include "plane/manifold.hpp"
 

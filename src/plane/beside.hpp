@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "graze/plane/space.hpp"
+#include "graze/plane/query.hpp"
 #include "graze/small_vector.hpp"
 #include "plane/leaves.hpp"
 

@@ -97,4 +97,11 @@ T extent(const Shape<T>& shape) {
 template <class T>
 GRAZE_API Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose);
 
+/// A shape in place, by reference.
+template <class T>
+struct PlacedRef {
+  const Shape<T>* shape;  ///< the shape, which must outlive the reference
+  const Pose2<T>* pose;   ///< its pose, which must outlive the reference
+};
+
 }  // namespace graze::plane

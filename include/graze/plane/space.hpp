@@ -7,13 +7,6 @@
 
 namespace graze::plane {
 
-/// A shape in place, by reference.
-template <class T>
-struct PlacedRef {
-  const Shape<T>* shape;  ///< the shape, which must outlive the reference
-  const Pose2<T>* pose;   ///< its pose, which must outlive the reference
-};
-
 /// The trait of the plane.
 template <class T>
 struct GRAZE_API Space {
