@@ -98,10 +98,13 @@ bool faces(const Core<T>& segment, std::uint32_t edge, const Vec2d& point) {
   return dot(point - segment.vertex(edge), right(segment.edge(edge))) >= 0;
 }
 
-/// Whether a core counts as ground.
+/// Whether a core is a polygon or a segment all of whose edges have a length.
 template <class T>
-bool is_ground(const Core<T>& core) {
-  return core.kind == CoreKind::half_plane || (core.kind == CoreKind::polygon && core.count > 1);
+bool has_sides(const Core<T>& core) {
+  if (core.kind != CoreKind::polygon || core.count < 2) return false;
+  for (std::uint32_t i = 0; i < core.count; ++i)
+    if (!(length_squared(core.edge(i)) > 0)) return false;
+  return true;
 }
 
 /// Takes the normals of covered edges from the vertex between them, of which the one that arrives or leaves is covered:
@@ -131,7 +134,7 @@ Ground<T>::Ground(std::span<const PlacedRef<T>> around, const Shape<T>& own, con
     if (body.shape == &own) continue;
     for_each_leaf(*body.shape, at_unit(*body.pose), 0, true, near_mover,
                   [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
-                    if (is_ground(core)) pieces_.push_back({core, at});
+                    if (core.kind == CoreKind::half_plane || has_sides(core)) pieces_.push_back({core, at});
                   });
   }
 }
@@ -206,7 +209,7 @@ template <class T>
 void Ground<T>::outline(Core<T>& core, const Pose2d& pose, const Core<T>& mover, const Pose2d& mover_pose, double size,
                         SmallVector<OutlineVertex, 8>& outline) const {
   outline.clear();
-  if (core.kind != CoreKind::polygon || core.count < 2 || core.chain) return;
+  if (core.chain || !has_sides(core)) return;
   const double step = seam_step * size;
   const Pose2d mover_in = relative(pose, mover_pose);
   bool matters = false;
@@ -244,7 +247,7 @@ bool contacts_beside(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
                      Manifolds<T>& manifolds, std::span<const PlacedRef<T>> of_a, std::span<const PlacedRef<T>> of_b) {
   const Ground<T> ground_a(of_a, a, b, at_unit(pose_b)), ground_b(of_b, b, a, at_unit(pose_a));
   if (ground_a.empty() && ground_b.empty()) return contacts(a, pose_a, b, pose_b, margin, manifolds);
-  const double limit = double(margin);
+  const auto limit = double(margin);
   const auto within = [&] { return limit; };
   SmallVector<OutlineVertex, 8> outline_a, outline_b;
   // Calls `see` with every pair of pieces near each other that has its outlines among the ground.

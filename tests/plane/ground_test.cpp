@@ -45,6 +45,7 @@ class Scene {
       x += tiles == Tiles::overlapping ? 0.7 * width : width;
     }
   }
+  Scene() = default;
   BodyId fix(Shape<T> shape, Vec2d at) { return add(std::move(shape), at, 0, true); }
   BodyId add(Shape<T> shape, Vec2d at, double turn, bool fixed = false) {
     Body<T> body{std::move(shape)};
@@ -60,8 +61,8 @@ class Scene {
   World<T> world;
 
  private:
-  double angle_;
-  Vec2d to_;
+  double angle_ = 0;
+  Vec2d to_{};
 };
 
 template <class T>
@@ -175,6 +176,27 @@ TYPED_TEST(PlaneGround, KeepsWallsAndSteps) {
           EXPECT_NEAR(depth_along(found, {-1, 0}), pressed, 1e-4);
           for (const Push<T>& push : found) EXPECT_LT(std::abs(push.normal.x * push.normal.y), 1e-3);
         }
+}
+
+/// Tiles without a size are no ground, and spoil none.
+TYPED_TEST(PlaneGround, BearsTilesWithoutSize) {
+  using T = TypeParam;
+  for (const Shape<T>& slider : sliders<T>()) {
+    Scene<T> scene;
+    for (const double x : {-0.5, 0.5}) scene.fix(Box<T>({1, 1}), {x, -0.5});
+    for (const double x : {-1.0, -0.2, 0.0, 0.4}) {
+      scene.fix(Box<T>({T(0.5), 0}), {x, 0});
+      scene.fix(Box<T>({0, 0}), {x, 0});
+      scene.fix(Segment<T>({0, 0}, {0, 0}), {x, 0});
+      scene.fix(Capsule<T>(0, 0), {x, 0});
+      scene.fix(Circle<T>(0), {x, 0});
+    }
+    const BodyId body = scene.add(slider, {T(0.1), height_of(slider, 0, 0.01)}, 0);
+    scene.world.update();
+    const auto found = pushes(scene, body);
+    EXPECT_NEAR(depth_along(found, {0, 1}), 0.01, 1e-4);
+    for (const Push<T>& push : found) EXPECT_TRUE(std::isfinite(push.depth) && std::isfinite(push.normal.x));
+  }
 }
 
 /// Without friction a box keeps its speed over tiles of all kinds.
