@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "graze/validate.hpp"
 #include "draw/cut_polygon.hpp"
+#include "graze/validate.hpp"
 #include "io/text_lines.hpp"
 
 namespace graze::io {
