@@ -95,7 +95,8 @@ double away_from(const KnownSurface<T>& s, const FeatureCorners& feature, const 
 template <class T>
 bool at_the_rim(const KnownSurface<T>& s, const FeatureCorners& feature, const Vec3d& place) {
   for (std::size_t i = 0; feature.size() > 1 && i < feature.size(); ++i) {
-    const FeatureCorners rim = feature.size() == 3 ? FeatureCorners{feature[i], feature[(i + 1) % 3]} : FeatureCorners{feature[i]};
+    const FeatureCorners rim =
+        feature.size() == 3 ? FeatureCorners{feature[i], feature[(i + 1) % 3]} : FeatureCorners{feature[i]};
     if (away_from(s, rim, place) < same_spot) return true;
   }
   return false;

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cstring>
 
-#include "io/mesh_file.hpp"
 #include "draw/cut_polygon.hpp"
+#include "io/mesh_file.hpp"
 
 namespace graze::io {
 namespace {
