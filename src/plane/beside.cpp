@@ -4,7 +4,6 @@
 #include <array>
 
 #include "plane/joined.hpp"
-#include "plane/manifold.hpp"
 
 namespace graze::plane {
 
@@ -12,8 +11,8 @@ namespace {
 
 using Kind = OutlineVertex::Kind;
 
-/// Lean of an edge within which it goes on in the line of another one: far above the rounding of poses, and far below
-/// what a body feels.
+/// Lean of an edge, as a sine and so of no unit, within which it goes on in the line of another one: eight roundings of
+/// a pose in float, and a thousandth of the lean that a body feels.
 constexpr double in_line = 1e-6;
 
 /// A range of parameters along an edge; empty where it is the other way round.
@@ -24,7 +23,7 @@ struct Range {
 /// The part of a line, in the frame of a core, that lies deeper in it than `depth`. Only solids have one.
 template <class T>
 Range inside(const Core<T>& core, const Vec2d& origin, const Vec2d& along, Range range, double depth) {
-  // Where a + b t <= 0.
+  // Keeps the parameters t with a + b t <= 0.
   const auto keep = [&](double a, double b) {
     if (b > 0)
       range.high = least(range.high, -a / b);
@@ -146,8 +145,8 @@ bool Ground<T>::overlaps(const Shape<T>& shape, const Pose2<T>& pose) const {
   });
 }
 
-/// Whether the pieces cover all of an edge that faces a core: just outside of it lies the inside of one of them, but for
-/// gaps no wider than `step`.
+/// Whether the pieces cover all of an edge that faces a core: the inside of one of them lies just outside of it, but
+/// for gaps no wider than `step`.
 template <class T>
 bool Ground<T>::covers(const Core<T>& core, const Pose2d& pose, std::uint32_t edge, const Core<T>& mover,
                        const Pose2d& mover_in, double step) const {
@@ -223,7 +222,7 @@ void Ground<T>::outline(Core<T>& core, const Pose2d& pose, const Core<T>& mover,
       vertex.leaving = normalized(core.edge(i));
       vertex.number = i;
     }
-    // Of a segment the side counts on which the other body is.
+    // The side of a segment that counts is the one on which the other body is.
     if (core.count == 2) vertex.outer = faces(core, i, mover_in.translation);
     covered.push_back(vertex.outer && covers(core, pose, i, mover, mover_in, step) ? 1 : 0);
     vertex.outer = vertex.outer && covered[i] == 0;
@@ -266,26 +265,8 @@ bool contacts_beside(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
   visit([&](const LeafPair<T>&) { matters = matters || !outline_a.empty() || !outline_b.empty(); });
   if (!matters) return contacts(a, pose_a, b, pose_b, margin, manifolds);
 
-  bool overlaps = false;
-  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
-  visit([&](const LeafPair<T>& pair) {
-    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
-    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
-    if (!pair.a.outline && !pair.b.outline) {
-      overlaps = add_manifold(pair, b_in_a, found, limit, manifolds) || overlaps;
-      return;
-    }
-    overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
-    joined.add(pair, b_in_a, found, limit);
-  });
-  if (joined.finish() || !overlaps) return overlaps;
-  if (ground_a.overlaps(b, pose_b) || ground_b.overlaps(a, pose_a)) return true;
-  visit([&](const LeafPair<T>& pair) {
-    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
-    joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
-  });
-  joined.finish();
-  return true;
+  return join_contacts(a, pose_a, b, pose_b, limit, manifolds, visit,
+                       [&] { return !ground_a.overlaps(b, pose_b) && !ground_b.overlaps(a, pose_a); });
 }
 
 #define GRAZE_PLANE_BESIDE(T)                                                                                          \

@@ -132,6 +132,33 @@ class Joined {
   double deepest_ = 0;  ///< depth of `instead_`
 };
 
+/// Appends the contacts of all pairs of pieces that `visit(see)` calls `see` with, the same in every visit, and returns
+/// whether any overlap. Where bodies that overlap have none, the deepest pair stands in if `stands_in()` says so.
+template <class T, class Visit, class StandsIn>
+bool join_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, double margin,
+                   Manifolds<T>& manifolds, const Visit& visit, const StandsIn& stands_in) {
+  bool overlaps = false;
+  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
+  visit([&](const LeafPair<T>& pair) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
+    if (!pair.a.outline && !pair.b.outline) {
+      overlaps = add_manifold(pair, b_in_a, found, margin, manifolds) || overlaps;
+      return;
+    }
+    overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
+    joined.add(pair, b_in_a, found, margin);
+  });
+  if (joined.finish() || !overlaps) return overlaps;
+  if (!stands_in()) return true;
+  visit([&](const LeafPair<T>& pair) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
+  });
+  joined.finish();
+  return true;
+}
+
 extern template class Joined<float>;
 extern template class Joined<double>;
 

@@ -121,27 +121,13 @@ Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, co
 template <class T>
 bool composite_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
                         double margin, Manifolds<T>& manifolds) {
-  bool overlaps = false;
-  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
   const auto within = [&] { return margin; };
-  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
-    if (pair.apart() > margin) return;
-    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
-    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
-    if (!pair.a.outline && !pair.b.outline) {
-      overlaps = add_manifold(pair, b_in_a, found, margin, manifolds) || overlaps;
-      return;
-    }
-    overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
-    joined.add(pair, b_in_a, found, margin);
-  });
-  if (joined.finish() || !overlaps) return overlaps;
-  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
-    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
-    joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
-  });
-  joined.finish();
-  return true;
+  const auto visit = [&](const auto& see) {
+    for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
+      if (pair.apart() <= margin) see(pair);
+    });
+  };
+  return join_contacts(a, pose_a, b, pose_b, margin, manifolds, visit, [] { return true; });
 }
 
 }  // namespace

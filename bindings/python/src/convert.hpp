@@ -86,6 +86,13 @@ inline double checked_reach(double value, const char* name) {
   return value;
 }
 
+/// The time that something moves. Throws `InvalidValue` for a number that is negative or not finite.
+inline double checked_duration(double duration) {
+  if (!(duration >= 0 && duration <= largest_magnitude<double>))
+    validate::fail("duration", "a finite number >= 0", duration);
+  return duration;
+}
+
 inline const char* text_of(Status status) {
   return status == Status::converged ? "converged" : status == Status::bounded ? "bounded" : "unbounded";
 }

@@ -111,8 +111,7 @@ void add_paths(py::module_& m) {
       [](const py::object& on, const typename Words::Shape& shape, const Placement& pose, const Vector& linear,
          double duration, const typename Words::Turning& angular, const std::optional<typename Space::CastHit>& hit) {
         PythonDraw to(on);
-        draw(to, Words::value_of(shape), pose.value, Words::velocity(linear, angular),
-             checked_reach(duration, "duration"), hit);
+        draw(to, Words::value_of(shape), pose.value, Words::velocity(linear, angular), checked_duration(duration), hit);
       },
       py::arg("on"), py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
       py::arg("angular") = typename Words::Turning{}, py::arg("hit") = py::none(),

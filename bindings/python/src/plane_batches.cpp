@@ -93,9 +93,8 @@ void add_plane_batches(py::module_& m) {
       py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin") = 0.0,
       py::arg("pairs") = py::none(), py::arg("most") = py::none(),
       ("Where each pair touches: (pairs, manifolds, points), three arrays of records. A pair's manifolds are "
-       "`manifold_count` from `first_manifold` on, and likewise a manifold's points. most: at most so many points a "
-       "pair, "
-       "those that span most." +
+       "`manifold_count` from `first_manifold` on, and likewise a manifold's points. most: at most so many "
+       "points a pair, those that span most." +
        batch_doc)
           .c_str());
   add_row_batches<PlaneBatch>(batch, batch_doc);

@@ -25,12 +25,6 @@ Velocity<double> velocity_of(const Vector& linear, const Vector& angular, const 
           validate::point(angular.value, std::string(name) + ".angular")};
 }
 
-double checked_duration(double duration) {
-  if (!(checked_reach(duration, "duration") <= largest_magnitude<double>))
-    validate::fail("duration", "a finite number >= 0", duration);
-  return duration;
-}
-
 CastOptions options_of(bool ignore_separating) { return {ignore_separating ? Separating::ignored : Separating::hit}; }
 
 void add_pairs(py::module_& m) {

@@ -28,10 +28,6 @@ namespace pybind11::detail {
 template <>
 struct type_caster<graze::python::ShapeObject> {
   PYBIND11_TYPE_CASTER(graze::python::ShapeObject, const_name("Shape"));
-  bool load(handle from, bool) {
-    value.object = reinterpret_borrow<object>(from);
-    return true;
-  }
   static handle cast(const graze::python::ShapeObject& shape, return_value_policy, handle) {
     return shape.object.inc_ref();
   }

@@ -18,12 +18,6 @@ namespace graze::python {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr std::uint64_t all_bits = ~std::uint64_t{0};
 
-inline double checked_duration(double duration) {
-  if (!(duration >= 0 && duration <= largest_magnitude<double>))
-    validate::fail("duration", "a finite number >= 0", duration);
-  return duration;
-}
-
 py::tuple object_of(const ContactEvent& event);
 py::dtype contact_pair_type();
 

@@ -1,0 +1,47 @@
+"""Masses and joints of simulations, in space and in the plane, as they are given."""
+
+import numpy as np
+import pytest
+
+import graze
+from graze import plane
+
+
+def test_a_simulation_takes_masses_as_they_are():
+    simulation = graze.Simulation(gravity=(0, 0, 0), most_sub_steps=8, longest_step=0.1)
+    body = simulation.add(
+        graze.Box((1, 1, 1)), mass=2, center_of_mass=(0.25, 0, 0), inertia=((1, 2, 3), (0, 0, np.sqrt(0.5), np.sqrt(0.5)))
+    )
+    assert simulation.center_of_mass(body).tolist() == [0.25, 0, 0]
+    # A quarter turn about z: what turns about x has the moment that is given for y.
+    simulation.apply_angular_impulse(body, (2, 0, 0))
+    np.testing.assert_allclose(simulation.velocity(body)[1], (1, 0, 0), atol=1e-12)
+    simulation.apply_impulse(body, (0, 2, 0), (0.25, 0, 0))
+    np.testing.assert_allclose(simulation.velocity(body)[0], (0, 1, 0), atol=1e-12)
+    plain = simulation.add(graze.Box((1, 1, 1)), (5, 0, 0), mass=2, inertia=(1, 2, np.inf))
+    simulation.apply_angular_impulse(plain, (0, 2, 2))
+    assert simulation.velocity(plain)[1].tolist() == [0, 1, 0]
+    flat = plane.Simulation(gravity=(0, 0))
+    disk = flat.add(plane.Circle(1), mass=1, center_of_mass=(0, 0.5), inertia=4)
+    flat.apply_angular_impulse(disk, 2)
+    assert flat.velocity(disk)[1] == 0.5 and flat.center_of_mass(disk).tolist() == [0, 0.5]
+    with pytest.raises(ValueError, match="dt: expected a number > 0 and at most longest_step, got 0.2"):
+        simulation.step(0.2)
+    with pytest.raises(ValueError, match="most_sub_steps"):
+        graze.Simulation(most_sub_steps=3)
+    with pytest.raises(ValueError, match="inertia"):
+        simulation.add(graze.Sphere(1), inertia=(1, 1, 5))
+    for given in (1, 2), "x", ((1, 2, 3), (0, 1)):
+        with pytest.raises(TypeError, match="inertia: expected"):
+            simulation.add(graze.Sphere(1), inertia=given)
+
+
+def test_joints_let_their_bodies_touch():
+    for of, box, aside in (graze, graze.Box((1, 1, 1)), (0.5, 0, 0)), (plane, plane.Box((1, 1)), (0.5, 0)):
+        for touch in False, True:
+            simulation = of.Simulation()
+            a, b = simulation.add(box), simulation.add(box, aside)
+            joint = simulation.join_slider(a, None, b, None, enable_collision=touch)
+            assert simulation.joint(joint)["enable_collision"] is touch
+            joint = simulation.join_distance(a, None, b, None, 0, 1, enable_collision=touch)
+            assert simulation.joint(joint)["enable_collision"] is touch
