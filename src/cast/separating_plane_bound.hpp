@@ -6,6 +6,10 @@
 // direction n + dt (n x w): one support query. The gap along n is then at least a function q(dt) that is concave,
 // extents being convex. Where q is positive at both ends of an interval it is positive throughout, and one test at its
 // end proves the interval free of contact. A ball about a core does not take part in the turning.
+//
+// A half-space that turns has no bounded extent along a direction that stands still, but a constant one along its own
+// normal. So there n turns with it: n.p changes by (w x n).p as well, w the half-space's turning, and the other shape's
+// extent is taken along a direction that tilts by that much more.
 #pragma once
 
 #include "cast/time_of_impact.hpp"
@@ -54,23 +58,56 @@ struct TurnBound {
   }
 };
 
+/// A bound for the motion of the gap between two shapes along a direction.
+struct GapMotion {
+  Vec3d tilt_a{}, tilt_b{};  ///< the change of the directions along which their extents are taken
+  double opening = 0;        ///< the speed at which the gap grows where no extent changes
+  double closing = 0;        ///< the gap falls no faster
+  double curvature = 0;      ///< nor with a larger second derivative
+};
+
+/// The motion along the direction `n`, which stands still.
+inline GapMotion along_fixed(const Vec3d& n, const Vec3d& velocity, const TurnBound& a, const TurnBound& b) {
+  const double opening = dot(n, velocity);
+  return {a.tilt, b.tilt, opening, a.speed + b.speed - opening, a.curvature + b.curvature};
+}
+
+/// A bounded shape seen from a half-space, about whose origin its own origin moves.
+struct BesideHalfSpace {
+  Vec3d angular{};    ///< the shape's turning
+  double radius = 0;  ///< of its points about the axis of that
+  double away = 0;    ///< no point of it is further from the half-space's origin
+};
+
+/// The motion along a half-space's normal `n`, which turns with it by `angular`. The tilt is that of the other shape,
+/// and to be given to its side.
+inline GapMotion along_turning(const Vec3d& n, const Vec3d& angular, const BesideHalfSpace& other, const Vec3d& offset,
+                               const Vec3d& velocity) {
+  const Vec3d swing = cross(angular, n);
+  const double rate = length(swing), spin = length(other.angular);
+  const double fastest = length(velocity) + spin * other.radius;
+  const Vec3d tilt = swing + cross(n, other.angular);
+  return {tilt, tilt, dot(n, velocity) + dot(swing, offset), rate * other.away + fastest,
+          rate * (length(angular) * other.away + 2 * fastest) + spin * spin * other.radius};
+}
+
 /// The gap of two shapes along `n` from a time on.
 template <class T>
 class Separation {
  public:
   Separation(const PieceAt<T>& a, const PieceAt<T>& b, double radii, const Vec3d& n, const Vec3d& offset,
-             const Vec3d& velocity, const TurnBound& turn_a, const TurnBound& turn_b)
+             const GapMotion& motion)
       : a_(a),
         b_(b),
         n_(n),
-        tilt_a_(turn_a.tilt),
-        tilt_b_(turn_b.tilt),
+        tilt_a_(motion.tilt_a),
+        tilt_b_(motion.tilt_b),
         gap_(dot(n, offset) - radii),
-        opening_(dot(n, velocity)),
-        curvature_(turn_a.curvature + turn_b.curvature),
-        closing_(turn_a.speed + turn_b.speed - opening_) {}
+        opening_(motion.opening),
+        curvature_(motion.curvature),
+        closing_(motion.closing) {}
 
-  /// The speed at which the bodies' origins move apart.
+  /// The speed at which the gap grows where no extent changes: of bodies that do not turn the whole of it.
   double opening() const { return opening_; }
 
   /// The speed at which the gap closes to first order: for all points extreme within a turn of `lean`.

@@ -55,7 +55,8 @@ constexpr double impact_goal = 1e-4;
 template <class T>
 class Advancement {
  public:
-  Advancement(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, const CastRule& rule)
+  Advancement(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, const Interval& interval,
+              const CastRule& rule)
       : motion_(motion),
         a_(a),
         b_(b),
@@ -63,6 +64,8 @@ class Advancement {
         turning_radius_b_(turning_radius(b, motion.b)),
         envelope_a_(a, motion.a, turning_radius_a_),
         envelope_b_(b, motion.b, turning_radius_b_),
+        away_(greatest(length(motion.offset_at(interval.begin)), length(motion.offset_at(interval.end))) +
+              least(a.core_reach, b.core_reach)),
         tolerance_(rule.tolerance),
         coarse_(rule.coarse),
         slack_(rule.slack),
@@ -91,9 +94,8 @@ class Advancement {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
       Impact impact = known ? *known : at(t, a, b);
       known.reset();
-      Separation<T> separation(a, b, radii(), impact.normal, motion_.offset_at(t), motion_.velocity,
-                               {impact.normal, motion_.a.angular, turning_radius_a_},
-                               {impact.normal, motion_.b.angular, turning_radius_b_});
+      const Vec3d offset = motion_.offset_at(t);
+      Separation<T> separation(a, b, radii(), impact.normal, offset, gap_motion(impact.normal, offset));
       const double left = interval.end - t;
       const bool touch = touches(impact);
       double step = 0;
@@ -197,6 +199,19 @@ class Advancement {
     Vec3d offset_;
   };
 
+  /// The motion of the gap along `n`, with which a half-space turns unless it does so about its own normal.
+  GapMotion gap_motion(const Vec3d& n, const Vec3d& offset) const {
+    const TurnBound turn_a(n, motion_.a.angular, turning_radius_a_), turn_b(n, motion_.b.angular, turning_radius_b_);
+    const bool half_a = is_half_space(a_);
+    const TurnBound& turn = half_a ? turn_a : turn_b;
+    if (half_a == is_half_space(b_) || turn.speed == 0) return along_fixed(n, motion_.velocity, turn_a, turn_b);
+    const Turning &own = half_a ? motion_.a : motion_.b, &other = half_a ? motion_.b : motion_.a;
+    const double radius = half_a ? turning_radius_b_ : turning_radius_a_;
+    GapMotion seen = along_turning(n, own.angular, {other.angular, radius, away_}, offset, motion_.velocity);
+    (half_a ? seen.tilt_a : seen.tilt_b) = {};
+    return seen;
+  }
+
   Posed pose_of(const Piece<T>& piece, const Turning& turning) const {
     return compose(Posed{{}, turning.start}, piece.local);
   }
@@ -246,11 +261,12 @@ class Advancement {
   bool still() const { return motion_.a.none() && motion_.b.none(); }
   /// Whether the shapes come closer, faster than in sliding along.
   bool approaching(Separation<T>& separation) const {
-    const double speed = length(motion_.velocity) + length(motion_.a.angular) * finite(turning_radius_a_) +
-                         length(motion_.b.angular) * finite(turning_radius_b_);
+    const double speed = length(motion_.velocity) + length(motion_.a.angular) * within_reach(turning_radius_a_) +
+                         length(motion_.b.angular) * within_reach(turning_radius_b_);
     return separation.closing(sliding<T>) > sliding<T> * speed;
   }
-  static double finite(double radius) { return radius < infinity ? radius : 0; }
+  /// Of a half-space only what the other shape may meet counts; of two nothing does.
+  double within_reach(double radius) const { return radius < infinity ? radius : away_ < infinity ? away_ : 0; }
 
   Impact at(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const Posed pose_b{b.pose().translation + motion_.offset_at(t), b.pose().rotation};
@@ -305,6 +321,7 @@ class Advancement {
   const Piece<T>&a_, &b_;
   double turning_radius_a_, turning_radius_b_;
   Envelope<T> envelope_a_, envelope_b_;
+  double away_;  ///< of two shapes of which one is bounded: no point of it gets further from the other's origin
   double tolerance_, coarse_, slack_;
   Separating separating_;
 };
@@ -331,7 +348,7 @@ std::optional<Impact> time_of_impact(const PairMotion& motion, const Piece<T>& a
                                      const Interval& interval, const CastRule& rule) {
   const auto near = when_near(motion, a.reach() + b.reach(), interval, rule.tolerance);
   if (!near) return std::nullopt;
-  return Advancement<T>(motion, a, b, rule).first(*near);
+  return Advancement<T>(motion, a, b, *near, rule).first(*near);
 }
 
 template struct Piece<float>;

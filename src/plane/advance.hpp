@@ -55,13 +55,31 @@ Nearby nearby(const Mover<T>& a, const Mover<T>& b, double t, double size) {
   return out;
 }
 
+/// The time up to which a half-plane X and a bounded piece Y surely stay apart: at `now` their gap along the
+/// half-plane's unit normal `n`, which turns with it, is larger than it has to be by `way`.
+template <class T>
+ApartUntil apart_from_half_plane(const Mover<T>& x, const Mover<T>& y, const Pose2d& pose_y, const Vec2d& n,
+                                 std::uint32_t nearest, double way, double t, double duration) {
+  ApartUntil apart = y.core.kind == CoreKind::polygon ? apart_along(x, y, pose_y, n, nearest, way, t, duration)
+                                                      : apart_along_by_reach(x, y, pose_y, n, way, t, duration);
+  // The bounds may end before the duration does.
+  apart.closes = apart.closes || apart.t < duration;
+  return apart;
+}
+
 /// The time up to which two pieces come nearer than they are at `now` by less than `way`: along the normal there no
 /// body gets further than its origin moves and the turn of the piece's outermost points adds, or of polygons its
-/// vertices.
+/// vertices. Of a half-plane that turns no points are outermost: its normal turns with it.
 template <class T>
 ApartUntil apart_from(const Mover<T>& a, const Mover<T>& b, const Nearby& now, double way, double duration) {
   const double t = now.contact.t;
   const Vec2d& normal = now.contact.normal;
+  const bool half_a = a.core.kind == CoreKind::half_plane, half_b = b.core.kind == CoreKind::half_plane;
+  if (half_a && half_b && a.velocity.angular != b.velocity.angular) return {t, true};  // not opposite any more
+  if (half_a && !half_b && a.velocity.angular != 0)
+    return apart_from_half_plane(a, b, now.pose_b, normal, now.vertex_b, way, t, duration);
+  if (half_b && !half_a && b.velocity.angular != 0)
+    return apart_from_half_plane(b, a, now.pose_a, -normal, now.vertex_a, way, t, duration);
   ApartUntil by_axis{t, true};
   if (a.core.kind == CoreKind::polygon && b.core.kind == CoreKind::polygon) {
     by_axis = now.axis_of_b ? apart_along(b, a, now.pose_a, -normal, now.vertex_a, way, t, duration)

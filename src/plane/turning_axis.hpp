@@ -79,4 +79,23 @@ ApartUntil apart_along(const Mover<T>& x, const Mover<T>& y, const Pose2d& pose_
   return {t + span, closes};
 }
 
+/// As `apart_along`, for a piece Y that may be curved, by the most that its turning against the axis adds to its reach.
+template <class T>
+ApartUntil apart_along_by_reach(const Mover<T>& x, const Mover<T>& y, const Pose2d& pose_y, const Vec2d& n, double way,
+                                double t, double until) {
+  const double axis_speed = x.velocity.angular;
+  Mover<T> against_axis = y;
+  against_axis.velocity.angular -= axis_speed;
+  double span = until - t;
+  if (std::abs(axis_speed) * span > 1) span = 1 / std::abs(axis_speed);
+  const Vec2d origin_y = y.origin(t);
+  const AxisBound origins =
+      moved_origins(origin_y - x.origin(t), y.velocity.linear - x.velocity.linear, n, axis_speed, span);
+  const Vec2d lowest = transform(pose_y, support(y.core, inverse_rotate(pose_y.rotation, -n)).point);
+  const Gain turned = against_axis.gain(dot(origin_y - lowest, n) + y.core.radius);
+  const AxisBound both{origins.rate - turned.rate, origins.bend + turned.bend};
+  if (both.stays_above(way, span)) return {t + span, false};
+  return {t + least(both.time_of(way), span), true};
+}
+
 }  // namespace graze::plane

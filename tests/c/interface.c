@@ -70,6 +70,16 @@ static void test_errors(void) {
   REFUSED(graze_distance_d(ball, &here, ball, &far_off, &d),
           "pose_b.translation[1]: expected a finite number, got nan");
   EXPECT(memcmp(&d, &before, sizeof d) == 0);  // a call that fails leaves the answer alone
+  const GrazeRayd no_direction = {{0, 0, 0}, {1, NAN, 0}},
+                  no_origin[2] = {{{5, 0, 0}, {-1, 0, 0}}, {{0, 0, NAN}, {1, 0, 0}}};
+  GrazeRayHitd ray_hit[2];
+  bool ray_found = false;
+  uint8_t rays_found[2] = {7, 7};
+  REFUSED(graze_raycast_d(ball, &here, &no_direction, 9, GRAZE_BACK_FACES_HIT, &ray_found, ray_hit),
+          "ray.direction[1]: expected a finite number, got nan");
+  REFUSED(graze_raycast_batch_d(ball, &here, no_origin, 0, 2, 9, GRAZE_BACK_FACES_HIT, rays_found, 0, ray_hit, 0),
+          "rays[1].origin[2]: expected a finite number, got nan");
+  EXPECT(rays_found[0] == 7);
 
   // A handle of another kind, as from a language whose pointers have no type.
   GrazeShapef* small = NULL;

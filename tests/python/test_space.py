@@ -180,6 +180,14 @@ def test_pickle_and_repr(name):
         (lambda: graze.contacts(graze.Sphere(1), None, graze.Sphere(1), None, margin=-1), "margin"),
         (lambda: SHAPES["mesh"].swept(None, (1, 0, 0)), "shape: expected a bounded convex shape"),
         (lambda: graze.Sphere(1).swept(None, (math.nan, 0, 0)), r"motion\[0\]"),
+        (lambda: graze.raycast(graze.Sphere(1), None, (0, math.nan, 0), (1, 0, 0)), r"origin\[1\]: expected a finite"),
+        (lambda: graze.raycast_any(graze.Sphere(1), None, (0, 0, 0), (1, 0, math.inf)), r"direction\[2\]"),
+        (lambda: graze.raycast_all(graze.Sphere(1), None, (0, math.nan, 0), (1, 0, 0)), r"origin\[1\]"),
+        (lambda: graze.World().raycast((0, 0, 0), (math.nan, 0, 0)), r"direction\[0\]"),
+        (lambda: graze.feature_corners(graze.Box((1, 1, 1)), -1), "feature: expected an integer from 0 to 65535, got -1"),
+        (lambda: graze.feature_corners(graze.Box((1, 1, 1)), 0, 1 << 32), "piece: expected an integer from 0 to"),
+        (lambda: graze.Simulation(sub_steps=1 << 40), "sub_steps: expected an integer from"),
+        (lambda: graze.Simulation(most_sub_steps=1 << 40), "most_sub_steps: expected an integer from"),
     ],
 )
 def test_errors_name_the_value(call, message):

@@ -231,10 +231,18 @@ TYPED_TEST(CastCases, HalfSpaces) {
   ASSERT_TRUE(risen);
   EXPECT_NEAR(risen->t, T(0.5), near_enough<T>);
   EXPECT_NEAR(risen->normal.y, T(-1), near_enough<T>);
-  // One that turns has no bound of speed: the answer says so.
-  const auto turned = cast(this->cube, {{0, T(3), 0}, {}}, {}, this->ground, {}, {{}, {T(1), 0, 0}}, T(1));
+  // One that turns about its edge below the cube, whose gap at the angle t is 2 cos t - sin t.
+  const auto turned = cast(this->cube, {{0, T(3), 0}, {}}, {}, this->ground, {}, {{}, {T(1), 0, 0}}, T(2));
   ASSERT_TRUE(turned);
-  EXPECT_EQ(turned->status, Status::bounded);
+  EXPECT_EQ(turned->status, Status::converged);
+  EXPECT_NEAR(turned->t, T(std::atan(2.0)), near_enough<T>);
+  EXPECT_FALSE(cast(this->cube, {{0, T(3), 0}, {}}, {}, this->ground, {}, {{}, {T(1), 0, 0}}, T(1.1)));
+  // A ball aside, which the ground comes down upon when it is nearly turned over; about its own normal it never does.
+  const Pose<T> aside{{T(-3), T(2), 0}, {}};
+  const auto met = cast(this->ground, {}, {{}, {0, 0, T(1)}}, this->ball, aside, {}, T(3));
+  ASSERT_TRUE(met);
+  EXPECT_NEAR(met->t, T(std::acos(-1.0) - std::asin(1 / std::sqrt(13.0)) - std::atan2(2.0, 3.0)), near_enough<T>);
+  EXPECT_FALSE(cast(this->ground, {}, {{}, {0, T(9), 0}}, this->ball, aside, {}, T(30)));
 }
 
 TYPED_TEST(CastCases, HalfSpacesThatMeetEachOther) {

@@ -219,7 +219,7 @@ std::pair<Mover, Mover> random_movers(Kind ka, Kind kb, float scale, bool turnin
   b.linear = common + aim * uniform(random, 0.5f, 2);
   if (turning) {
     a.angular = random_vector(random, 6);
-    if (kb != Kind::half_space) b.angular = random_vector(random, 6);
+    if (ka != Kind::half_space || kb != Kind::half_space) b.angular = random_vector(random, 6);
   }
   return {a, b};
 }

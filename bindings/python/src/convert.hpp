@@ -29,6 +29,11 @@ struct Placement {
   Posed value{};
 };
 
+/// A ray from its parts. Throws `InvalidValue` for numbers that queries do not take.
+inline Ray<double> ray_of(const Vector& origin, const Vector& direction) {
+  return {validate::point(origin.value, "origin"), validate::point(direction.value, "direction")};
+}
+
 /// Three numbers as an array of their own.
 inline py::array_t<double> array_of(const Vec3d& v) {
   const double numbers[3] = {v.x, v.y, v.z};

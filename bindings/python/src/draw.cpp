@@ -99,8 +99,7 @@ void add_paths(py::module_& m) {
       [](const py::object& on, const Vector& origin, const Vector& direction, double length,
          const std::optional<typename Space::RayHit>& hit) {
         PythonDraw to(on);
-        draw(to, typename Space::Ray{Words::checked(origin, "origin"), Words::checked(direction, "direction")},
-             checked_reach(length, "length"), hit);
+        draw(to, ray_of(origin, direction), checked_reach(length, "length"), hit);
       },
       py::arg("on"), py::arg("origin"), py::arg("direction"),
       py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("hit") = py::none(),

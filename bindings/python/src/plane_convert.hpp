@@ -33,6 +33,10 @@ bool read_vector(py::handle from, plane::Vec2d& to);
 bool read_pose(py::handle from, plane::Pose2d& to);
 /// A point with coordinates that queries take.
 plane::Vec2d checked(const plane::Vec2d& point, const char* name);
+/// A ray from its parts. Throws `InvalidValue` for numbers that queries do not take.
+inline plane::Ray<double> ray_of(const Vector2& origin, const Vector2& direction) {
+  return {checked(origin.value, "origin"), checked(direction.value, "direction")};
+}
 /// The rotation of a cosine and a sine, brought to unit length. Throws `InvalidValue` where they are none.
 plane::Rot2d unit_rotation(double cosine, double sine, const char* path);
 

@@ -1,6 +1,7 @@
 // Queries of one pair, one shape or one ray of the plane.
 #include "plane_convert.hpp"
 #include "traced.hpp"
+#include "whole.hpp"
 
 namespace graze::python {
 
@@ -128,11 +129,12 @@ Pieces are numbered as those of a manifold: children, pieces of a polygon, segme
       py::arg("b"), "A margin with which a body at rest keeps its points: a hundredth of the smaller one's size.");
   m.def(
       "feature_corners",
-      [](const Shaped& shape, std::uint16_t feature, std::uint32_t piece) {
-        const auto corners = feature_corners(shape, piece, feature_of_b(feature));
+      [](const Shaped& shape, const Whole& feature, const Whole& piece) {
+        const auto id = feature_of_b(feature.as<std::uint16_t>("feature"));
+        const auto corners = feature_corners(shape, piece.as<std::uint32_t>("piece"), id);
         return array_of_points(std::span(corners.begin(), corners.size()));
       },
-      py::arg("shape"), py::arg("feature"), py::arg("piece") = 0,
+      py::arg("shape"), py::arg("feature"), py::arg("piece") = Whole(0),
       R"(The corners of the vertex or edge that a point of contact names, in the shape's frame: shape (n, 2).
 
 feature: `point.feature >> 16` of shape a, `point.feature & 0xffff` of b. piece: the manifold's, of a polygon, a chain
@@ -153,15 +155,16 @@ void add_rays_and_casts(py::module_& m) {
       [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length,
          const py::object& trace) {
         return traced(trace, [&](Trace* t) {
-          return object_or_none(raycast(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
-                                        checked_reach(length, "length"), t));
+          return object_or_none(
+              raycast(shape, pose.value, ray_of(origin, direction), checked_reach(length, "length"), t));
         });
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
       py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("trace") = false,
       R"(What a ray hits first within `length`: a RayHit, or None.
 
-direction need not be of unit length; t of the hit is a length.
+direction need not be of unit length; one of zeros hits nothing. t of the hit is a length.
+Raises ValueError for what is not finite.
 
 >>> from graze import plane
 >>> plane.raycast(plane.Circle(1), None, (-3, 0), (1, 0)).t
@@ -170,8 +173,7 @@ direction need not be of unit length; t of the hit is a length.
   m.def(
       "raycast_any",
       [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
-        return raycast_any(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
-                           checked_reach(length, "length"));
+        return raycast_any(shape, pose.value, ray_of(origin, direction), checked_reach(length, "length"));
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
       py::arg("length") = std::numeric_limits<double>::infinity(), "Whether a ray hits anything within `length`.");
@@ -179,8 +181,7 @@ direction need not be of unit length; t of the hit is a length.
       "raycast_all",
       [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
         std::vector<plane::RayHit<double>> hits;
-        raycast_all(shape, pose.value, plane::Ray<double>{origin.value, direction.value}, hits,
-                    checked_reach(length, "length"));
+        raycast_all(shape, pose.value, ray_of(origin, direction), hits, checked_reach(length, "length"));
         return list_of(hits);
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),

@@ -2,6 +2,7 @@
 #include "answers.hpp"
 #include "shapes.hpp"
 #include "traced.hpp"
+#include "whole.hpp"
 
 namespace graze::python {
 
@@ -120,11 +121,12 @@ Negative where they overlap: minus the length of the shortest translation that s
       py::arg("b"), "The margin that a world uses for the two: a hundredth of the smaller one's size.");
   m.def(
       "feature_corners",
-      [](const Shaped& shape, std::uint16_t feature, std::uint32_t piece) {
-        const auto corners = feature_corners(shape, piece, feature_of_b(feature));
+      [](const Shaped& shape, const Whole& feature, const Whole& piece) {
+        const auto id = feature_of_b(feature.as<std::uint16_t>("feature"));
+        const auto corners = feature_corners(shape, piece.as<std::uint32_t>("piece"), id);
         return array_of_points(std::span(corners.begin(), corners.size()));
       },
-      py::arg("shape"), py::arg("feature"), py::arg("piece") = 0,
+      py::arg("shape"), py::arg("feature"), py::arg("piece") = Whole(0),
       R"(The corners of the vertex, edge or face that a point of contact names, in the shape's frame: shape (n, 3).
 
 feature: `point.feature >> 16` of shape a, `point.feature & 0xffff` of b. piece: the manifold's, of a mesh or a
@@ -151,7 +153,7 @@ void add_points_and_rays(py::module_& m) {
       "raycast",
       [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
          bool back_faces, const py::object& trace) {
-        const Ray<double> ray{origin.value, direction.value};
+        const Ray<double> ray = ray_of(origin, direction);
         return answered(trace, [&](Trace* t) -> py::object {
           const auto hit = raycast(shape, pose.value, ray, checked_reach(length, "length"),
                                    back_faces ? BackFaces::hit : BackFaces::ignored, t);
@@ -163,7 +165,8 @@ void add_points_and_rays(py::module_& m) {
       py::arg("trace") = false,
       R"(What a ray hits first within `length`: a RayHit, or None.
 
-direction need not be of unit length; t of the hit is a length.
+direction need not be of unit length; one of zeros hits nothing. t of the hit is a length.
+Raises ValueError for what is not finite.
 
 >>> import graze
 >>> graze.raycast(graze.Sphere(1), None, (-3, 0, 0), (1, 0, 0)).t
@@ -173,8 +176,8 @@ direction need not be of unit length; t of the hit is a length.
       "raycast_any",
       [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
          bool back_faces) {
-        return raycast_any(shape, pose.value, Ray<double>{origin.value, direction.value},
-                           checked_reach(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
+        return raycast_any(shape, pose.value, ray_of(origin, direction), checked_reach(length, "length"),
+                           back_faces ? BackFaces::hit : BackFaces::ignored);
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
       py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("back_faces") = true,
@@ -184,8 +187,8 @@ direction need not be of unit length; t of the hit is a length.
       [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
          bool back_faces) {
         std::vector<RayHit<double>> hits;
-        raycast_all(shape, pose.value, Ray<double>{origin.value, direction.value}, hits,
-                    checked_reach(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
+        raycast_all(shape, pose.value, ray_of(origin, direction), hits, checked_reach(length, "length"),
+                    back_faces ? BackFaces::hit : BackFaces::ignored);
         return list_of(hits);
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),

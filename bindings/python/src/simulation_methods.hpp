@@ -7,6 +7,7 @@
 #include "answers.hpp"
 #include "draw.hpp"
 #include "plain_values.hpp"
+#include "whole.hpp"
 #include "world.hpp"
 
 namespace graze::python {
@@ -110,18 +111,19 @@ cannot hold: a shape with a support function in Python.)");
   template <class Own, class... Before, class... Names>
   static void add_constructor(py::class_<Own>& simulation, const Names&... names) {
     const Settings usual;
-    simulation.def(py::init([](const Before&... before, const Vector& gravity, int sub_steps, bool sleep,
-                               bool continuous, std::optional<int> most_sub_steps, double longest_step) {
+    simulation.def(py::init([](const Before&... before, const Vector& gravity, const Whole& sub_steps, bool sleep,
+                               bool continuous, const std::optional<Whole>& most_sub_steps, double longest_step) {
                      Settings settings;
                      settings.gravity = gravity.value;
-                     settings.sub_steps = sub_steps;
-                     settings.most_sub_steps = most_sub_steps.value_or(greatest(settings.most_sub_steps, sub_steps));
+                     settings.sub_steps = sub_steps.as<int>("sub_steps");
+                     settings.most_sub_steps = most_sub_steps ? most_sub_steps->as<int>("most_sub_steps")
+                                                              : greatest(settings.most_sub_steps, settings.sub_steps);
                      settings.sleep = sleep;
                      settings.continuous = continuous;
                      settings.longest_step = longest_step;
                      return std::make_unique<Own>(before..., settings);
                    }),
-                   names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
+                   names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = Whole(usual.sub_steps),
                    py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous,
                    py::arg("most_sub_steps") = py::none(), py::arg("longest_step") = usual.longest_step);
   }

@@ -420,14 +420,14 @@ Returns (Pose where it ends, what is left of the motion after so many casts, wha
         view, "raycast",
         [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
           return body_and_hit<RayHit>(
-              w.read()->raycast({origin.value, direction.value}, checked_reach(length, "length"), filter));
+              w.read()->raycast(ray_of(origin, direction), checked_reach(length, "length"), filter));
         },
         "The first body that a ray hits: (BodyId, RayHit) or None.", py::arg("origin"), py::arg("direction"),
         py::arg("length") = infinity);
     add_question<Vector, Vector, double>(
         view, "raycast_any",
         [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
-          return w.read()->raycast_any({origin.value, direction.value}, checked_reach(length, "length"), filter);
+          return w.read()->raycast_any(ray_of(origin, direction), checked_reach(length, "length"), filter);
         },
         "Whether a ray hits any body; ends at the first.", py::arg("origin"), py::arg("direction"),
         py::arg("length") = infinity);
@@ -435,7 +435,7 @@ Returns (Pose where it ends, what is left of the motion after so many casts, wha
         view, "raycast_all",
         [](const View& w, const Vector& origin, const Vector& direction, double length, const QueryFilter& filter) {
           std::vector<BodyRayHit<double, Space>> hits;
-          w.read()->raycast_all({origin.value, direction.value}, checked_reach(length, "length"), filter, hits);
+          w.read()->raycast_all(ray_of(origin, direction), checked_reach(length, "length"), filter, hits);
           return bodies_and_hits<RayHit>(hits);
         },
         "All bodies that a ray hits, each where it is first hit, in the order of the ray.", py::arg("origin"),
