@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "graze/plane/shape.hpp"
+#include "plane/compound_data.hpp"
 #include "plane/core.hpp"
 #include "plane/orientation.hpp"
 
@@ -57,6 +58,7 @@ ConvexPolygon<T>::ConvexPolygon(std::span<const Vec2<T>> points) {
 template <class T>
 Compound<T>::Compound(std::vector<Placed<T>> children) {
   if (children.empty()) throw InvalidValue("children", "at least one child", "none");
+  auto data = std::make_shared<CompoundData<T>>();
   for (std::size_t i = 0; i < children.size(); ++i) {
     Placed<T>& child = children[i];
     const std::string path = "children[" + std::to_string(i) + "]";
@@ -74,13 +76,15 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
       validate::fail(path, "a child that reaches at most " + validate::number(static_cast<double>(furthest)),
                      static_cast<double>(reach));
     extent_ = greatest(extent_, reach);
+    data->nesting.add_child(bounded_nesting<Compound<T>>(child, path));
   }
-  children_ = std::make_shared<const std::vector<Placed<T>>>(std::move(children));
+  data->children = std::move(children);
+  data_ = std::move(data);
 }
 
 template <class T>
 std::span<const Placed<T>> Compound<T>::children() const {
-  return *children_;
+  return data_->children;
 }
 
 namespace {

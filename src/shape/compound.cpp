@@ -36,6 +36,7 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
       validate::fail(path, "a child that reaches at most " + validate::number(static_cast<double>(furthest)),
                      static_cast<double>(reach));
     data->extent = greatest(data->extent, reach);
+    data->nesting.add_child(bounded_nesting<Compound<T>>(child, path));
     if (const auto* mesh = child.shape.template as<Mesh<T>>()) data->solid = data->solid || mesh->solid();
     if (const auto* inner = child.shape.template as<Compound<T>>()) data->solid = data->solid || inner->data().solid;
     data->boxes.push_back(bounds(child.shape, child.pose));

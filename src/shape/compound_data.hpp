@@ -4,6 +4,7 @@
 #pragma once
 
 #include "graze/shape.hpp"
+#include "shape/nesting.hpp"
 #include "shape/wide_tree.hpp"
 
 namespace graze {
@@ -14,7 +15,8 @@ struct CompoundData {
   std::vector<Aabb<T>> boxes;  ///< the children's, in the compound's frame
   WideTree<T> tree;
   std::vector<std::uint32_t> unbounded;
-  T extent = T(0);     ///< no point of a child is further from the frame's origin
+  T extent = T(0);  ///< no point of a child is further from the frame's origin
+  Nesting nesting;
   bool solid = false;  ///< has a solid mesh among its children, or theirs
 };
 

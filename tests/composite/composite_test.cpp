@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "composite/brute_force.hpp"
+#include "graze/cast.hpp"
+#include "graze/raycast.hpp"
 
 namespace graze::testing {
 namespace {
@@ -221,6 +223,45 @@ TEST(Composite, CompoundsNestAsDeepAsWished) {
   EXPECT_NEAR(distance(nested, {}, nested, {{0, 4, 0}, turn}).distance, 3, 1e-9);
   EXPECT_NEAR(closest(nested, {}, {0, 0, 0}).distance, 2.5, 1e-9);
   EXPECT_TRUE(overlap(nested, {}, nested, {{0, 0.5, 0}, {}}));
+}
+
+// Deeper than the stack would hold: twenty thousand compounds, each a hair aside of the one in it.
+TEST(Composite, DeepNestingNeedsNoStack) {
+  Shaped nested = Box<double>({1, 1, 1});
+  constexpr int depth = 20000;
+  for (int i = 0; i < depth; ++i) nested = Compound<double>({{nested, {{0.0001, 0, 0}, {}}}});
+  Shaped beside = nested;
+  EXPECT_NEAR(distance(nested, {}, beside, {{4, 0, 0}, {}}).distance, 3, 1e-9);
+  EXPECT_NEAR(distance(nested, {}, Shaped(Box<double>({1, 1, 1})), {}).distance, 1, 1e-9);
+  Manifolds<double> manifolds;
+  contacts(nested, {}, beside, {{0, 0.75, 0}, {}}, 0.0, manifolds);
+  ASSERT_EQ(manifolds.size(), 1u);
+  EXPECT_EQ(manifolds[0].points.size(), 4u);
+  const auto hit = raycast(nested, {}, {{2, 5, 0}, {0, -1, 0}});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->t, 4.5, 1e-9);
+  const auto met = cast(nested, {}, {}, beside, {{9, 0, 0}, {}}, {{-16, 0, 0}, {}}, 1.0);
+  ASSERT_TRUE(met);
+  EXPECT_NEAR(met->t, 0.5, 1e-8);
+}
+
+// A shape may stand in compounds any number of times: they may hold more of them than memory would when taken apart.
+TEST(Composite, ShapesBeyondNumberAreRefusedWhereTheyWouldBeTakenApart) {
+  const auto many = [](const Shaped& shape) {
+    std::vector<Placed<double>> children;
+    for (int i = 0; i < 2100; ++i) children.push_back({shape, {{1.0 * i, 0, 0}, {}}});
+    return Shaped(Compound<double>(std::move(children)));
+  };
+  Shaped nested = many(many(Sphere<double>(0.5)));
+  for (int i = 2; i < 32; ++i) nested = Compound<double>({{nested, {}}});
+  EXPECT_TRUE(overlap(nested, {}, Shaped(Sphere<double>(0.5)), {{2.5, 0, 0}, {}}));
+  try {
+    nested = Compound<double>({{nested, {}}});
+    ADD_FAILURE();
+  } catch (const InvalidValue& e) {
+    EXPECT_STREQ(e.what(), "children[0]: expected compounds nested at most 32 deep, or of at most 4194304 shapes, got "
+                           "4410000 in 33");
+  }
 }
 
 // A one-sided floor carries what lies on it and lets through what comes from below; geometry knows no sides.

@@ -61,6 +61,44 @@ void expect_first_contacts(bool turning) {
 TEST(PlaneCast, TranslationsHitAtTheFirstContact) { expect_first_contacts(false); }
 TEST(PlaneCast, TurningBodiesHitAtTheFirstContact) { expect_first_contacts(true); }
 
+/// Half-planes that turn, as A and as B, by up to half a turn: shapes are apart before a hit and touch there, and those
+/// that are not hit never touch.
+TEST(PlaneCast, TurningHalfPlanesAreNeitherMissedNorPassed) {
+  std::mt19937 random(31);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int hits = 0, misses = 0;
+  for (int round = 0; round < 60 * figure_kinds; ++round) {
+    const double scale = round % 3 == 0 ? 1e-3 : round % 3 == 1 ? 1 : 1e4;
+    const auto figure = random_figure<double>(round % figure_kinds, scale, random);
+    const Shaped ground{HalfPlane<double>(), round % 4 == 0 ? 0.2 * scale : 0};
+    const Pose2d pose_g = random_pose<double>(scale, random), pose_f = random_pose<double>(3 * scale, random);
+    const double turn = round % 5 == 0 ? 0.3 : 3;
+    Velocity<double> of_g, of_f;
+    of_g = {{scale * u(random), 0}, turn * u(random)};
+    of_f = {{0, scale * u(random)}, round % 2 == 0 ? 0 : 4 * u(random)};
+    const bool swapped = round % 7 < 3;
+    const auto hit = swapped ? cast<double>(figure.shape, pose_f, of_f, ground, pose_g, of_g, 1)
+                             : cast<double>(ground, pose_g, of_g, figure.shape, pose_f, of_f, 1);
+    const auto apart = [&](double t) {
+      return distance(ground, pose_at(pose_g, of_g, t), figure.shape, pose_at(pose_f, of_f, t)).distance;
+    };
+    const double near = 10 * cast_tolerance<double> * scale, until = hit ? hit->t : 1;
+    ++(hit ? hits : misses);
+    for (int k = 0; k < 4 * looks; ++k)
+      if (!hit || hit->t > 0) {
+        ASSERT_GT(apart(until * k / (4 * looks)), 0) << round << " at " << until * k / (4 * looks);
+      }
+    if (!hit) continue;
+    ASSERT_EQ(hit->status, Status::converged) << round;
+    ASSERT_LE(apart(hit->t), near) << round;
+    if (hit->t > 0) {
+      ASSERT_NEAR(apart(hit->t), 0, near) << round;
+    }
+  }
+  EXPECT_GT(hits, 200);
+  EXPECT_GT(misses, 80);
+}
+
 /// Half of the pairs start in contact. Where separating ones are ignored, no hit means that nothing got deeper than it
 /// was at the start by more than it may sink, and a hit that it did, from that time on.
 void expect_pressing_only(bool turning) {
@@ -238,6 +276,20 @@ TEST(PlaneRaycast, ThroughEveryCornerOfAPolygon) {
       ASSERT_TRUE(hit);
       EXPECT_NEAR(hit->t, length(corner - from), 1e-12);
     }
+}
+
+TEST(PlaneCompound, DeepNestingNeedsNoStack) {
+  Shaped nested = Box<double>({1, 1});
+  for (int i = 0; i < 20000; ++i) nested = Compound<double>({{nested, {{0.0001, 0}, {}}}});
+  const Shaped beside = nested;
+  EXPECT_NEAR(distance(nested, {}, beside, {{4, 0}, {}}).distance, 3, 1e-9);
+  Manifolds<double> manifolds;
+  contacts(nested, {}, beside, {{0, 0.75}, {}}, 0.0, manifolds);
+  ASSERT_EQ(manifolds.size(), 1u);
+  EXPECT_EQ(manifolds[0].points.size(), 2u);
+  const auto met = cast<double>(nested, {}, {}, beside, {{9, 0}, {}}, {{-16, 0}, 0}, 1);
+  ASSERT_TRUE(met);
+  EXPECT_NEAR(met->t, 0.5, 1e-8);
 }
 
 TEST(PlaneCompound, AnswersAsItsChildren) {

@@ -29,11 +29,13 @@ class GRAZE_API Compound {
  public:
   static constexpr const char* name = "compound";
 
-  /// A compound of at least one child, each at its pose in the compound's frame. Cost n log n. Throws `InvalidValue`.
+  /// A compound of at least one child, each at its pose in the compound's frame. Cost n log n. Throws `InvalidValue`,
+  /// also for more than 2^22 shapes nested more than 32 deep.
   explicit Compound(std::vector<Placed<T>> children);
   Compound(const Compound& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
-  std::span<const Placed<T>> children() const;  ///< the children in place
+  /// The children in place. What is nested in them more than 32 deep is taken apart into one compound of its shapes.
+  std::span<const Placed<T>> children() const;
   /// The data that copies of the shape share.
   const CompoundData<T>& data() const { return *data_; }
 

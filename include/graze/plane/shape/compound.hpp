@@ -15,20 +15,27 @@ namespace graze::plane {
 template <class T>
 struct Placed;
 
+template <class T>
+struct CompoundData;
+
 /// Several shapes that move as one.
 template <class T>
 class GRAZE_API Compound {
  public:
   static constexpr const char* name = "compound";
 
-  /// A compound of at least one child, each at its pose in the compound's frame. Throws `InvalidValue`.
+  /// A compound of at least one child, each at its pose in the compound's frame. Throws `InvalidValue`, also for more
+  /// than 2^22 shapes nested more than 32 deep.
   explicit Compound(std::vector<Placed<T>> children);
 
-  std::span<const Placed<T>> children() const;  ///< the children in place
+  /// The children in place. What is nested in them more than 32 deep is taken apart into one compound of its shapes.
+  std::span<const Placed<T>> children() const;
+  /// The data that copies of the shape share.
+  const CompoundData<T>& data() const { return *data_; }
   T core_extent() const { return extent_; }
 
  private:
-  std::shared_ptr<const std::vector<Placed<T>>> children_;
+  std::shared_ptr<const CompoundData<T>> data_;
   T extent_{};
 };
 
