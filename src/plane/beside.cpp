@@ -123,19 +123,29 @@ void leave_covered(bool arriving, bool leaving, bool touched, OutlineVertex& ver
 }  // namespace
 
 template <class T>
-Ground<T>::Ground(std::span<const PlacedRef<T>> around, const Shape<T>& own, const Shape<T>& mover, const Pose2d& pose)
+Ground<T>::Ground(std::span<const PlacedRef<T>> around, const Shape<T>& own, const Pose2<T>& pose,
+                  const Shape<T>& mover, const Pose2<T>& pose_m)
     : around_(around), own_(own) {
+  const auto* compound = own.template as<Compound<T>>();
+  const bool has_others = compound && compound->children().size() > 1;
+  if (around.empty() && !has_others) return;
+  const double reach = is_bounded(mover) ? double(extent(mover)) * 2 : std::numeric_limits<double>::infinity();
+  const Pose2d at_mover = at_unit(pose_m);
   const auto nowhere = [] { return 0.0; };
-  const bool bounded = is_bounded(mover);
-  const auto near_mover = near_disc(
-      pose.translation, bounded ? double(extent(mover)) * 2 : std::numeric_limits<double>::infinity(), nowhere);
-  for (const PlacedRef<T>& body : around) {
-    if (body.shape == &own) continue;
-    for_each_leaf(*body.shape, at_unit(*body.pose), 0, true, near_mover,
-                  [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
-                    if (core.kind == CoreKind::half_plane || has_sides(core)) pieces_.push_back({core, at});
+  const auto near_mover = near_disc(at_mover.translation, reach, nowhere);
+  const auto gather = [&](const Shape<T>& shape, const Pose2<T>& place, bool itself) {
+    for_each_leaf(shape, at_unit(place), 0, true, near_mover,
+                  [&](const Core<T>& core, const Pose2d& at, double size, std::uint32_t child) {
+                    const bool half_plane = core.kind == CoreKind::half_plane;
+                    if (!half_plane &&
+                        (!has_sides(core) || discs_apart(at.translation - at_mover.translation, size, reach) > 0))
+                      return;
+                    pieces_.push_back({core, at, itself ? child : of_another});
                   });
-  }
+  };
+  if (has_others) gather(own, pose, true);
+  for (const PlacedRef<T>& body : around)
+    if (body.shape != &own) gather(*body.shape, *body.pose, false);
 }
 
 template <class T>
@@ -148,8 +158,9 @@ bool Ground<T>::overlaps(const Shape<T>& shape, const Pose2<T>& pose) const {
 /// Whether the pieces cover all of an edge that faces a core: the inside of one of them lies just outside of it, but
 /// for gaps no wider than `step`.
 template <class T>
-bool Ground<T>::covers(const Core<T>& core, const Pose2d& pose, std::uint32_t edge, const Core<T>& mover,
-                       const Pose2d& mover_in, double step) const {
+bool Ground<T>::covers(const Core<T>& core, std::uint32_t edge, const Meeting& meeting, const Pose2d& mover_in,
+                       double step) const {
+  const Core<T>& mover = meeting.mover;
   const Vec2d start = core.vertex(edge), whole = core.edge(edge), along = normalized(whole), out = right(along);
   const double end = length(whole);
   Range faced{0, end};
@@ -162,7 +173,8 @@ bool Ground<T>::covers(const Core<T>& core, const Pose2d& pose, std::uint32_t ed
   }
   SmallVector<Range, 8> covered;
   for (const Piece& piece : pieces_) {
-    const Pose2d in = relative(piece.pose, pose);
+    if (piece.child == meeting.child) continue;
+    const Pose2d in = relative(piece.pose, meeting.pose);
     const Range range = inside(piece.core, transform(in, start + out * (core.radius + step)),
                                rotate(in.rotation, along), {faced.low - step, faced.high + step}, step / 2);
     if (range.low <= range.high) covered.push_back(range);
@@ -178,8 +190,8 @@ bool Ground<T>::covers(const Core<T>& core, const Pose2d& pose, std::uint32_t ed
 
 /// Leaves a vertex those normals that lead into none of the pieces that touch it. Returns whether any touches it.
 template <class T>
-bool Ground<T>::restrict_normals(const Core<T>& core, const Pose2d& pose, std::uint32_t i, const Vec2d& mover_center,
-                                 double step, OutlineVertex& vertex) const {
+bool Ground<T>::restrict_normals(const Core<T>& core, std::uint32_t i, const Meeting& meeting,
+                                 const Vec2d& mover_center, double step, OutlineVertex& vertex) const {
   Normals normals{right(vertex.arriving), right(vertex.leaving)};
   if (core.count == 2) {
     const Vec2d side = normalized(right(core.edge(i)));
@@ -187,8 +199,8 @@ bool Ground<T>::restrict_normals(const Core<T>& core, const Pose2d& pose, std::u
   }
   bool touched = false;
   for (const Piece& piece : pieces_) {
-    if (piece.core.radius != 0) continue;
-    const Pose2d in = relative(piece.pose, pose);
+    if (piece.child == meeting.child || piece.core.radius != 0) continue;
+    const Pose2d in = relative(piece.pose, meeting.pose);
     const Tangents on = tangents(piece.core, transform(in, core.vertex(i)), step);
     normals.none = normals.none || on.buried;
     touched = touched || on.buried || on.count > 0;
@@ -205,12 +217,11 @@ bool Ground<T>::restrict_normals(const Core<T>& core, const Pose2d& pose, std::u
 }
 
 template <class T>
-void Ground<T>::outline(Core<T>& core, const Pose2d& pose, const Core<T>& mover, const Pose2d& mover_pose, double size,
-                        SmallVector<OutlineVertex, 8>& outline) const {
+void Ground<T>::outline(Core<T>& core, const Meeting& meeting, SmallVector<OutlineVertex, 8>& outline) const {
   outline.clear();
-  if (core.chain || !has_sides(core)) return;
-  const double step = seam_step * size;
-  const Pose2d mover_in = relative(pose, mover_pose);
+  if (empty() || core.chain || !has_sides(core)) return;
+  const double step = seam_step * meeting.size;
+  const Pose2d mover_in = relative(meeting.pose, meeting.mover_pose);
   bool matters = false;
   SmallVector<std::uint8_t, 8> covered;
   for (std::uint32_t i = 0; i < core.count; ++i) {
@@ -224,14 +235,14 @@ void Ground<T>::outline(Core<T>& core, const Pose2d& pose, const Core<T>& mover,
     }
     // The side of a segment that counts is the one on which the other body is.
     if (core.count == 2) vertex.outer = faces(core, i, mover_in.translation);
-    covered.push_back(vertex.outer && covers(core, pose, i, mover, mover_in, step) ? 1 : 0);
+    covered.push_back(vertex.outer && covers(core, i, meeting, mover_in, step) ? 1 : 0);
     vertex.outer = vertex.outer && covered[i] == 0;
     matters = matters || covered[i] != 0;
     outline.push_back(vertex);
   }
   for (std::uint32_t i = 0; i < core.count; ++i) {
     OutlineVertex& vertex = outline[i];
-    const bool touched = core.radius == 0 && restrict_normals(core, pose, i, mover_in.translation, step, vertex);
+    const bool touched = core.radius == 0 && restrict_normals(core, i, meeting, mover_in.translation, step, vertex);
     matters = matters || touched;
     leave_covered(covered[core.previous(i)] != 0, covered[i] != 0, touched, vertex);
   }
@@ -244,26 +255,31 @@ void Ground<T>::outline(Core<T>& core, const Pose2d& pose, const Core<T>& mover,
 template <class T>
 bool contacts_beside(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
                      Manifolds<T>& manifolds, std::span<const PlacedRef<T>> of_a, std::span<const PlacedRef<T>> of_b) {
-  const Ground<T> ground_a(of_a, a, b, at_unit(pose_b)), ground_b(of_b, b, a, at_unit(pose_a));
-  if (ground_a.empty() && ground_b.empty()) return contacts(a, pose_a, b, pose_b, margin, manifolds);
+  const Ground<T> ground_a(of_a, a, pose_a, b, pose_b), ground_b(of_b, b, pose_b, a, pose_a);
   const auto limit = double(margin);
   const auto within = [&] { return limit; };
+  const auto visit_near = [&](const auto& see) {
+    for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
+      if (!(pair.apart() > limit)) see(pair);
+    });
+  };
   SmallVector<OutlineVertex, 8> outline_a, outline_b;
   // Calls `see` with every pair of pieces near each other that has its outlines among the ground.
   const auto visit = [&](const auto& see) {
-    for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
-      if (pair.apart() > limit) return;
+    visit_near([&](const LeafPair<T>& pair) {
       const double size = least(pair.extent_a, pair.extent_b);
       Core<T> core_a = pair.a, core_b = pair.b;
-      ground_a.outline(core_a, pair.pose_a, pair.b, pair.pose_b, size, outline_a);
-      ground_b.outline(core_b, pair.pose_b, pair.a, pair.pose_a, size, outline_b);
+      ground_a.outline(core_a, {pair.pose_a, pair.piece_a, pair.b, pair.pose_b, size}, outline_a);
+      ground_b.outline(core_b, {pair.pose_b, pair.piece_b, pair.a, pair.pose_a, size}, outline_b);
       see(LeafPair<T>{core_a, core_b, pair.pose_a, pair.pose_b, pair.extent_a, pair.extent_b, pair.piece_a,
                       pair.piece_b});
     });
   };
   bool matters = false;
-  visit([&](const LeafPair<T>&) { matters = matters || !outline_a.empty() || !outline_b.empty(); });
-  if (!matters) return contacts(a, pose_a, b, pose_b, margin, manifolds);
+  if (!ground_a.empty() || !ground_b.empty())
+    visit([&](const LeafPair<T>&) { matters = matters || !outline_a.empty() || !outline_b.empty(); });
+  if (!matters && is_convex(a) && is_convex(b)) return contacts(a, pose_a, b, pose_b, margin, manifolds);
+  if (!matters) return join_contacts(a, pose_a, b, pose_b, limit, manifolds, visit_near, [] { return true; });
 
   return join_contacts(a, pose_a, b, pose_b, limit, manifolds, visit,
                        [&] { return !ground_a.overlaps(b, pose_b) && !ground_b.overlaps(a, pose_a); });

@@ -118,6 +118,10 @@ bool lies_behind(const Shape<T>& shape, const Pose2d& pose, const Vec2d& on_line
   return behind;
 }
 
+/// The depth, as a multiple of that of the nearest way out, from which on a neighbour's normal holds a piece that the
+/// body does not rest on: a body that leans over a seam gets a few times as deep along the right one.
+constexpr double far_deeper = 8;
+
 /// The largest error of a normal, in radians, within which contacts are still taken for the same.
 constexpr double most_doubt = 0x1p-4;
 
@@ -167,11 +171,10 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
   Manifold<double> m = manifold(a, b, b_in_a, *settled, margin);
   if (m.points.empty()) return;
   const bool own = settled->a.point == found.a.point && settled->b.point == found.b.point;
-  const bool beside =
-      !own &&
-      (gives_way(*settled, pair) ||
-       (m.points.size() == 1 && (beside_edge(a, settled->a.feature, settled->a.point) ||
-                                 beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)))));
+  const bool way = !own && gives_way(*settled, pair);
+  const bool beside = way || (!own && m.points.size() == 1 &&
+                              (beside_edge(a, settled->a.feature, settled->a.point) ||
+                               beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point))));
   name_on_wholes(m, a, b);
   const Manifold<T> placed = in_world<T>(m, pair);
   if (!beside) {
@@ -181,7 +184,9 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
     off_ = greatest(off_, least(off.possible, most_doubt));
     return keep_doubtful(placed, off.taken);
   }
-  if (!instead_ || placed.points[0].distance > instead_->points[0].distance) instead_ = placed;
+  if (instead_ && !(placed.points[0].distance > instead_->points[0].distance)) return;
+  instead_ = placed;
+  deeper_ = way && (!settled->of_neighbour || settled->distance < far_deeper * found.distance);
 }
 
 template <class T>
@@ -196,6 +201,7 @@ void Joined<T>::stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Ne
   if (m.points.empty()) return;
   name_on_wholes(m, pair.a, pair.b);
   instead_ = in_world<T>(m, pair);
+  deeper_ = false;
   deepest_ = distance;
 }
 
@@ -291,14 +297,6 @@ bool Joined<T>::extend(const Manifold<T>& manifold) {
     return true;
   }
   return false;
-}
-
-template <class T>
-bool Joined<T>::finish() {
-  join_doubtful();
-  extend_in_line();
-  if (instead_ && out_.size() == first_) out_.push_back(*instead_);
-  return out_.size() > first_;
 }
 
 template class Joined<float>;

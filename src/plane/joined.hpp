@@ -73,8 +73,15 @@ class Joined {
   /// A second visit, to pairs that overlap where no pair gave contacts: lines that cross, and ends that reach through a
   /// corner, leave no normal that is the outline's. The deepest pair then stands in, as it is without its neighbours.
   void stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found);
-  /// Ends a visit. Returns whether there are contacts.
-  bool finish();
+  /// Ends a visit. Returns whether there are contacts. What is far deeper than what it would replace is
+  /// left out unless `stands_in()`.
+  template <class StandsIn>
+  bool finish(const StandsIn& stands_in) {
+    join_doubtful();
+    extend_in_line();
+    if (instead_ && out_.size() == first_ && (!deeper_ || stands_in())) out_.push_back(*instead_);
+    return out_.size() > first_;
+  }
 
  private:
   /// The side of a chain that faces the other body's centre.
@@ -129,7 +136,8 @@ class Joined {
   /// The contact that stands in where there is no other: after the first visit the least deep of the contacts whose
   /// points lie beside their edges, after the second the deepest.
   std::optional<Manifold<T>> instead_;
-  double deepest_ = 0;  ///< depth of `instead_`
+  bool deeper_ = false;  ///< whether `instead_` has a far side's normal, or is far deeper than what it replaces
+  double deepest_ = 0;   ///< depth of `instead_`
 };
 
 /// Appends the contacts of all pairs of pieces that `visit(see)` calls `see` with, the same in every visit, and returns
@@ -149,13 +157,13 @@ bool join_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
     overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
     joined.add(pair, b_in_a, found, margin);
   });
-  if (joined.finish() || !overlaps) return overlaps;
+  if (joined.finish(stands_in) || !overlaps) return overlaps;
   if (!stands_in()) return true;
   visit([&](const LeafPair<T>& pair) {
     const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
     joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
   });
-  joined.finish();
+  joined.finish(stands_in);
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "graze/plane/proximity.hpp"
+#include "plane/beside.hpp"
 #include "plane/explain.hpp"
 #include "plane/joined.hpp"
 #include "plane/leaves.hpp"
@@ -117,19 +118,6 @@ Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, co
   return best;
 }
 
-/// The contacts of shapes of which one at least is made of pieces.
-template <class T>
-bool composite_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
-                        double margin, Manifolds<T>& manifolds) {
-  const auto within = [&] { return margin; };
-  const auto visit = [&](const auto& see) {
-    for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
-      if (pair.apart() <= margin) see(pair);
-    });
-  };
-  return join_contacts(a, pose_a, b, pose_b, margin, manifolds, visit, [] { return true; });
-}
-
 }  // namespace
 
 template <class T>
@@ -155,7 +143,7 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
               Manifolds<T>& manifolds, Trace* trace) {
   if (trace) smallest(a, pose_a, b, pose_b, trace);
   if (const auto known = special_contacts(a, pose_a, b, pose_b, margin, manifolds)) return *known;
-  if (!is_convex(a) || !is_convex(b)) return composite_contacts(a, pose_a, b, pose_b, double(margin), manifolds);
+  if (!is_convex(a) || !is_convex(b)) return contacts_beside(a, pose_a, b, pose_b, margin, manifolds, {}, {});
   bool overlaps = false;
   with_convex_pair(a, pose_a, b, pose_b, double(margin), [&](const LeafPair<T>& pair) {
     const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);

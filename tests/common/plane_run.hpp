@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 298555735653240561u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 7112381013715145204u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 18044949360228677999u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 6179491002349783047u;
 
 }  // namespace graze::testing
 

@@ -63,6 +63,19 @@ test("questions of the protocol's page have the answers of the page", async () =
   assert.ok(asked >= 12, `expected a dozen questions, got ${asked}`);
 });
 
+test("compounds nest as deep as a line may", () => {
+  const nested = (type, depth) => {
+    let shape = `{"type":"${type}"}`;
+    for (let i = 0; i < depth; ++i) shape = `{"type":"compound","compound":{"children":[{"shape":${shape}}]}}`;
+    return shape;
+  };
+  const question = (query, depth) => `{"query":"${query}","a":{"shape":${nested("box", depth)}},
+    "b":{"shape":${nested("sphere", depth)},"translation":[0,0.75,0]}}`.replaceAll("\n", "");
+  for (const query of ["overlap", "distance", "contacts", "cast"])
+    assert.equal(JSON.parse(double.query(question(query, 499))).error, undefined, query);
+  assert.match(double.query(question("overlap", 500)), /nested at most 2000 deep/);
+});
+
 test("numbers are written as std::to_chars does", () => {
   const written = (x) => {
     const answer = JSON.parse(`{"id":0}`);
