@@ -1,10 +1,12 @@
 // The distinction of shapes in contact that press against each other from those that slide along each other.
 //
-// Guarantee: shapes slide from one time to another only when a plane shows it: one along which they overlap, at both
+// Guarantee: shapes slide from one time to another only when a plane shows it, and not one that leads over a seam of the
+// surface that a shape is a triangle of (`cast/surface_seams.hpp`): one along which they overlap, at both
 // times, by no more than they may sink. Shapes that pass through each other have no such plane, however thin they are:
 // the depth to which they may sink is a part of their widths across the plane, and so leaves no way to its other side.
 #pragma once
 
+#include "cast/surface_seams.hpp"
 #include "cast/turning_envelope.hpp"
 
 namespace graze {
@@ -28,12 +30,26 @@ inline constexpr double sinking_shown = 3;
 /// is thinner than shapes may sink, and its other side no proof that they slid.
 inline constexpr double opposite_side = -0.7;
 
+/// The seams of two pieces, of those that are triangles of a surface.
+template <class T>
+struct PieceSeams {
+  const SurfaceSeams *a, *b;
+
+  /// A direction of the world in the frame of a piece.
+  static Vec3d own(const PieceAt<T>& piece, const Vec3d& n) { return rotate(conjugate(piece.pose().rotation), n); }
+  /// Whether a unit normal from A to B leads over a seam of either.
+  bool crossed_by(const Vec3d& n, const PieceAt<T>& at_a, const PieceAt<T>& at_b) const {
+    return (a && a->crossed_by(own(at_a, n))) || (b && b->crossed_by(own(at_b, -n)));
+  }
+};
+
 template <class T>
 class Sliding {
  public:
   /// `tolerance`: the D of `graze/cast.hpp`; `slack`: the rounding to T of poses and coordinates.
-  Sliding(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, double tolerance, double slack)
-      : motion_(motion), a_(a), b_(b), tolerance_(tolerance), slack_(slack) {}
+  Sliding(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, double tolerance, double slack,
+          const PieceSeams<T>& seams)
+      : motion_(motion), a_(a), b_(b), tolerance_(tolerance), slack_(slack), seams_(seams) {}
 
   /// Begins with shapes that are in contact at the start of the cast.
   void start(const Impact& impact) {
@@ -80,7 +96,9 @@ class Sliding {
       if (!begin_b) begin_b.emplace(b_, motion_.b.at(from.t));
       return slides_at(from.t, n, *begin_a, *begin_b);
     };
-    const auto shows_sliding = [&](const Vec3d& n) { return slides_at(until, n, a, b) && slid_from(n); };
+    const auto shows_sliding = [&](const Vec3d& n) {
+      return !seams_.crossed_by(n, a, b) && slides_at(until, n, a, b) && slid_from(n);
+    };
     const bool other_side = dot(from.normal, to.normal) < opposite_side;
     if (shows_sliding(from.normal) || (!other_side && shows_sliding(to.normal))) return false;
     if (is_half_space(a_) || is_half_space(b_)) return true;
@@ -123,6 +141,7 @@ class Sliding {
   const PairMotion& motion_;
   const Piece<T>&a_, &b_;
   double tolerance_, slack_, sink_ = 0, base_ = 0, turns_deep_ = 0;
+  PieceSeams<T> seams_;
 };
 
 }  // namespace graze

@@ -69,7 +69,8 @@ class Advancement {
         tolerance_(rule.tolerance),
         coarse_(rule.coarse),
         slack_(rule.slack),
-        separating_(rule.separating) {}
+        separating_(rule.separating),
+        seams_{rule.seams_a, rule.seams_b} {}
 
   std::optional<Impact> first(const Interval& interval) const {
     double t = interval.begin;
@@ -87,17 +88,19 @@ class Advancement {
       known = difference.impact(free, t);
       if (known && touches(*known) && separating_ == Separating::hit) return known;
     }
-    Sliding<T> sliding_along(motion_, a_, b_, tolerance_, slack_);
+    Sliding<T> sliding_along(motion_, a_, b_, tolerance_, slack_, seams_);
     // The contact that is under way: the impact at which it began to press, and the one at which it last slid.
     std::optional<Impact> pressing, slid;
     for (int i = 0;; ++i) {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
       Impact impact = known ? *known : at(t, a, b);
       known.reset();
+      const bool touch = touches(impact);
+      const bool over_seam = touch && separating_ == Separating::ignored && seams_.crossed_by(impact.normal, a, b);
+      if (over_seam) impact = along_face(impact, a, b);
       const Vec3d offset = motion_.offset_at(t);
       Separation<T> separation(a, b, radii(), impact.normal, offset, gap_motion(impact.normal, offset));
       const double left = interval.end - t;
-      const bool touch = touches(impact);
       double step = 0;
       const std::optional<Impact>& before = slid ? slid : pressing;
       const auto pressed = [&] { return pressing ? pressing : slid; };
@@ -115,7 +118,8 @@ class Advancement {
         // The distance of convex shapes is a convex function of a translation: one that does not fall never will.
         const bool over = still() && separation.opening() >= 0;
         if (over && !before) return std::nullopt;
-        if (i == 0) sliding_along.start(impact);
+        // What comes over a seam is as deep in the triangle before it.
+        if (i == 0 || (over_seam && !before)) sliding_along.start(impact);
         const double sink = sliding_along.may_sink(impact.normal, a, b), floor = sliding_along.base() - sink;
         if (impact.distance < floor) return pressing ? pressing : impact;
         if (before && sliding_along.passed(*before, impact, a, b)) return pressed();
@@ -288,6 +292,19 @@ class Advancement {
     }
   }
 
+  /// An impact whose normal leads over a seam of a triangle, along that triangle's own normal, on the side on which the
+  /// middle of the other shape is.
+  Impact along_face(const Impact& found, const PieceAt<T>& a, const PieceAt<T>& b) const {
+    const bool of_a = seams_.a && seams_.a->crossed_by(PieceSeams<T>::own(a, found.normal));
+    const PieceAt<T>&face = of_a ? a : b, &other = of_a ? b : a;
+    const Vec3d up = unit(rotate(face.pose().rotation, (of_a ? seams_.a : seams_.b)->normal()));
+    const Vec3d offset = motion_.offset_at(found.t), middle = (other.support(up) + other.support(-up)) * 0.5;
+    const bool above = dot(up, middle - face.support(up) + (of_a ? offset : -offset)) >= 0;
+    const Vec3d n = above == of_a ? up : -up;
+    const double distance = dot(n, offset + b.support(-n) - a.support(n)) - radii();
+    return {found.t, distance, n, found.a, found.b, found.status};
+  }
+
   /// The impact along the half-space's normal: along any other a half-space has no bounded extent.
   Impact on_half_space(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const bool half_a = is_half_space(a_);
@@ -324,6 +341,7 @@ class Advancement {
   double away_;  ///< of two shapes of which one is bounded: no point of it gets further from the other's origin
   double tolerance_, coarse_, slack_;
   Separating separating_;
+  PieceSeams<T> seams_;
 };
 
 }  // namespace

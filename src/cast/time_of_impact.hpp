@@ -59,12 +59,15 @@ struct Impact {
   Status status;
 };
 
+class SurfaceSeams;
+
 /// The rule by which shapes are in contact.
 struct CastRule {
   double tolerance;  ///< the D of `graze/cast.hpp`
   double coarse;     ///< that of the larger shape alone, for curved shapes whose distance is known no better
   double slack;      ///< rounding to T of the poses and motions of the bodies
   Separating separating;
+  const SurfaceSeams *seams_a = nullptr, *seams_b = nullptr;  ///< of pieces that are triangles of a surface
 };
 
 /// The first time in the interval at which the pieces come within the rule's tolerance.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cast/surface_seams.hpp"
 #include "composite/composite.hpp"
 #include "composite/merge_manifolds.hpp"
 #include "composite/moving_leaves.hpp"
@@ -63,11 +64,12 @@ struct Asked {
     return length(motion.offset) > slack * (a.reach() + b.reach()) + tolerance_of(a, b);
   }
 
-  std::optional<Impact> of(const Piece<T>& piece_a, const Piece<T>& piece_b, const Interval& interval) const {
+  std::optional<Impact> of(const Piece<T>& piece_a, const Piece<T>& piece_b, const Interval& interval,
+                           const SurfaceSeams* seams_a = nullptr, const SurfaceSeams* seams_b = nullptr) const {
     const double reach = greatest(finite(piece_a.reach()), finite(piece_b.reach()));
     const double slack = coordinate_rounding<T> * (coordinates + reach);
     const double near = tolerance_of(piece_a, piece_b), coarse = greatest(near, cast_tolerance<double> * reach);
-    return time_of_impact(motion, piece_a, piece_b, interval, {near, coarse, slack, separating});
+    return time_of_impact(motion, piece_a, piece_b, interval, {near, coarse, slack, separating, seams_a, seams_b});
   }
 };
 
@@ -105,6 +107,16 @@ bool met_from_within(const NumberedPiece<T>& numbered, const Quatd& rotation, co
   return dot(normal, outward) < -static_cast<double>(same_normal<T>) * max_abs(u) * max_abs(v);
 }
 
+/// The seams of a piece that is a triangle of a surface, where sliding along it is asked for. None where a half-space
+/// meets it, which is thin along no normal.
+template <class T>
+std::optional<SurfaceSeams> seams_met(const Asked<T>& asked, const NumberedPiece<T>& piece,
+                                      const NumberedPiece<T>& other) {
+  if (!piece.surface || asked.separating == Separating::hit || other.piece.shape.template as<HalfSpace<T>>()) return {};
+  if (const auto* mesh = piece.surface->template as<Mesh<T>>()) return SurfaceSeams(mesh->data(), piece.in_surface);
+  return SurfaceSeams(piece.surface->template as<HeightField<T>>()->data(), piece.in_surface);
+}
+
 /// Calls `found` for the first contact of every pair of pieces, in each stretch anew, omitting those later than
 /// `until()` in stretches behind it. Where separating bodies are ignored, solid meshes are not met from within: a body
 /// that starts inside, and has not got deeper, gets out.
@@ -122,7 +134,10 @@ void visit_impacts(const Asked<T>& asked, const Until& until, const Found& found
       return part + T(8) * std::numeric_limits<T>::epsilon();
     };
     auto meet = [&](const NumberedPiece<T>& a, const NumberedPiece<T>& b) {
-      const auto impact = asked.of(a.piece, b.piece, {stretch.begin, least(until(), stretch.end)});
+      const Interval asked_for{stretch.begin, least(until(), stretch.end)};
+      const auto seams_a = seams_met(asked, a, b), seams_b = seams_met(asked, b, a);
+      const auto impact =
+          asked.of(a.piece, b.piece, asked_for, seams_a ? &*seams_a : nullptr, seams_b ? &*seams_b : nullptr);
       if (!impact) return;
       if (asked.separating == Separating::ignored &&
           (met_from_within(a, asked.motion.a.at(impact->t), impact->normal) ||

@@ -1,5 +1,6 @@
 // Casts of meshes and compounds: against their own distance, over the seams of floors, into steps, all hits in order.
 #include "cast_fixture.hpp"
+#include "common/specimen.hpp"
 
 namespace graze {
 namespace {
@@ -101,6 +102,73 @@ TYPED_TEST(CastComposites, ABodySlidesOverATriangulatedFloor) {
   EXPECT_FALSE(this->thrown(floor, {}, this->cube, {T(-7), T(1), 0}, {T(14), 0, T(0.5)}, T(1), Separating::ignored));
   EXPECT_FALSE(this->thrown(floor, {}, this->cube, {T(-7), T(1.001), 0}, {T(14), 0, T(0.5)}));
   EXPECT_TRUE(this->thrown(floor, {}, this->cube, {T(-7), T(1.001), 0}, {T(14), T(-0.01), T(0.5)}));
+}
+
+/// A level floor of triangles, with seams along x, z and the diagonals of its cells, as a mesh and as a height field.
+template <class T>
+std::vector<Shape<T>> level_floors() {
+  constexpr std::uint32_t n = 9;
+  std::vector<Vec3<T>> points;
+  std::vector<typename Mesh<T>::Index> triangles;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      points.push_back({T(i) - T(4), 0, T(j) - T(4)});
+      if (i + 1 == n || j + 1 == n) continue;
+      const std::uint32_t a = i * n + j;
+      triangles.push_back({a, a + 1, a + n + 1});
+      triangles.push_back({a, a + n + 1, a + n});
+    }
+  return {Mesh<T>(points, triangles), HeightField<T>(n, n, std::vector<T>(n * n, T(0)), T(1), T(1))};
+}
+
+/// Each triangle beside a seam leaves a thin body that stands in the plane of that seam to one side; the floor does not.
+TYPED_TEST(CastComposites, ThinBodiesDoNotSlideIntoSeams) {
+  using T = TypeParam;
+  const Shape<T> thin[] = {LineSegment<T>({0, T(-0.5), 0}, {0, T(0.5), 0}),
+                           Box<T>({0, 1, T(0.25)}),
+                           Box<T>({T(1e-5), 1, T(0.25)}),
+                           Box<T>({T(1e-3), 1, T(0.25)}),
+                           Capsule<T>(1, 0, 0),
+                           Triangle<T>({0, T(0.5), T(-0.1)}, {0, T(0.5), T(0.1)}, {0, T(-0.5), 0})};
+  const T eighth = T(0.78539816339744831);
+  for (const Shape<T>& floor : level_floors<T>())
+    for (const Shape<T>& body : thin)
+      for (const T above : {T(0), T(1e-6), T(0.5)})
+        for (const T turn : {T(0), eighth, 2 * eighth})
+          for (int k = 0; k <= 8; ++k) {
+            // In the plane of a seam along z, of a diagonal, or along x, from vertex to vertex.
+            const T along = T(0.125) * T(k);
+            const Vec3<T> at{turn == T(0) ? T(0) : along, T(0.5) + above, turn == 2 * eighth ? T(0) : along};
+            const Pose<T> pose{at, Quat<T>::from_axis_angle({0, 1, 0}, turn)};
+            for (const T aside : {T(0), T(0.1)}) {
+              const auto hit = cast(floor, {}, {}, body, pose, {{aside, T(-1), 0}, {}}, T(1), {Separating::ignored});
+              ASSERT_TRUE(hit) << body.name() << " above " << above << " turned " << turn << " along " << along;
+              EXPECT_NEAR(hit->t, above, near_enough<T>);
+            }
+          }
+}
+
+/// What is sunk in more than a tolerance meets the triangle beyond each seam from its side, and slides all the same.
+TYPED_TEST(CastComposites, BodiesSunkInSlideOverSeams) {
+  using T = TypeParam;
+  testing::Random random(3);
+  const Shape<T> bodies[] = {this->cube,
+                             this->ball,
+                             Capsule<T>(1, T(0.25), T(0.25)),
+                             Box<T>({0, 1, 1}),
+                             Cylinder<T>(1, T(0.5)),
+                             Shape<T>(Box<T>({T(0.8), T(0.8), T(0.8)}), T(0.1))};
+  for (const Shape<T>& floor : level_floors<T>())
+    for (const Shape<T>& body : bodies)
+      for (const T sunk : {T(0), T(1e-7), T(1e-4), T(1e-2)})
+        for (int k = 0; k < 60; ++k) {
+          const auto drawn = [&](float reach) { return T(testing::uniform(random, -reach, reach)); };
+          const T at_x = drawn(2), at_z = drawn(2), turn = drawn(3), x = drawn(1.5f), z = drawn(1.5f);
+          Pose<T> pose{{at_x, T(5), at_z}, Quat<T>::from_axis_angle({0, 1, 0}, turn)};
+          pose.translation.y -= distance(this->ground, {}, body, pose).distance + sunk;
+          const auto hit = cast(floor, {}, {}, body, pose, {{x, 0, z}, {}}, T(1), {Separating::ignored});
+          ASSERT_FALSE(hit) << body.name() << " sunk " << sunk << " case " << k;
+        }
 }
 
 TYPED_TEST(CastComposites, ASlidingBodyIsStoppedByAStep) {
