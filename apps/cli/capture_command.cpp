@@ -33,7 +33,15 @@ void capture(const AnyScene& scene, const CaptureArguments& options, io::Simulat
   how.capture = &file;
   Progress progress("capturing");
   std::size_t done = 0;
-  const io::SimulateSummary summary = io::simulate(scene, how, [&](const Frame&) { progress(++done, frames); });
+  const auto play = [&] {
+    try {
+      return io::simulate(scene, how, [&](const Frame&) { progress(++done, frames); });
+    } catch (const InvalidValue&) {
+      if (!file) throw InvalidValue(options.out, "", "cannot be written to its end");
+      throw;
+    }
+  };
+  const io::SimulateSummary summary = play();
   file.close();
   if (!file) throw InvalidValue(options.out, "", "cannot be written to its end");
   print_notes(scene.notices);

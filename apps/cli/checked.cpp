@@ -1,5 +1,6 @@
 #include "checked.hpp"
 
+#include <charconv>
 #include <filesystem>
 
 #include "graze/validate.hpp"
@@ -8,6 +9,16 @@ namespace graze::cli {
 
 io::Precision precision_of(const std::string& name) {
   return name == "float" ? io::Precision::single_precision : io::Precision::double_precision;
+}
+
+std::size_t checked_count(const char* option, const std::string& text) {
+  std::size_t count = 0;
+  const char* end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, count);
+  if (error == std::errc::result_out_of_range && last == end)
+    throw InvalidValue(option, "a whole number of at most 19 digits", text);
+  if (error != std::errc{} || last != end || count < 1) throw InvalidValue(option, "a whole number >= 1", text);
+  return count;
 }
 
 double checked_length(const char* option, double value, io::Precision precision) {

@@ -1,6 +1,7 @@
 // Options checked as any other input: finite, in range for the precision, and named when they are not.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace graze::cli {
 
 /// The precision named "float" or "double".
 io::Precision precision_of(const std::string& name);
+
+/// A whole number of at least one, as it was given, named by its option. Throws `InvalidValue`.
+std::size_t checked_count(const char* option, const std::string& text);
 
 /// A length or a time as it was given, named by its option. Throws `InvalidValue`.
 double checked_length(const char* option, double value, io::Precision precision);

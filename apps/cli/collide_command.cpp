@@ -24,7 +24,7 @@ struct CollideArguments {
   FramesOptions frames;
   bool json = false, solid = false;
   std::optional<double> margin;
-  std::optional<std::size_t> points;
+  std::string points;
   std::string precision = "double", out, svg;
   std::vector<double> direction{1, 0.7, 1.2};
 };
@@ -110,7 +110,7 @@ int run_collide(const CollideArguments& options) {
   io::CollideOptions how;
   how.precision = precision_of(options.precision);
   how.margin = checked_length("--margin", options.margin.value_or(0), how.precision);
-  how.points_per_pair = options.points;
+  if (!options.points.empty()) how.points_per_pair = checked_count("--points", options.points);
   const Vec3d direction = checked_direction(options.direction);
   check_ending("--svg", options.svg, ".svg");
   check_ending("--out", options.out, ".glb");
@@ -151,7 +151,6 @@ Run add_collide(CLI::App& app) {
   command
       ->add_option("--points", options->points,
                    "At most so many points of contact a pair: the deepest, and those that span most; by default all")
-      ->check(CLI::PositiveNumber)
       ->excludes(frames);
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))

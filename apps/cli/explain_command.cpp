@@ -18,26 +18,37 @@ namespace graze::cli {
 namespace {
 
 struct ExplainArguments {
-  std::string file, precision = "double", svg;
-  std::int64_t line = 1;
+  std::string file, precision = "double", svg, line = "1";
   bool json = false;
   std::vector<double> direction{1, 0.6, 1.4};
 };
 
+std::string source_of(const ExplainArguments& options) {
+  return options.file.empty() || options.file == "-" ? "standard input" : options.file;
+}
+
 /// The line of the question, counted from 1 among those that are not blank.
 std::string question_line(const ExplainArguments& options) {
-  if (options.line < 1) throw InvalidValue("--line", "a whole number >= 1", std::to_string(options.line));
+  const std::size_t wanted = checked_count("--line", options.line);
   std::ifstream file;
   const bool standard = options.file.empty() || options.file == "-";
-  const std::string name = standard ? "standard input" : options.file;
+  const std::string name = source_of(options);
   if (!standard) file = io::open_file(options.file);
   std::istream& in = standard ? std::cin : file;
-  std::int64_t count = 0;
+  std::size_t count = 0;
   for (std::string line; std::getline(in, line);)
-    if (line.find_first_not_of(" \t\r\n\v\f") != std::string::npos && ++count == options.line) return line;
+    if (line.find_first_not_of(" \t\r\n\v\f") != std::string::npos && ++count == wanted) return line;
   if (in.bad()) throw InvalidValue(name, "", "cannot be read to its end");
-  throw InvalidValue(name, fmt::format("a question as line {}", options.line),
-                     counted(static_cast<std::size_t>(count), "line"));
+  throw InvalidValue(name, fmt::format("a question as line {}", wanted), counted(count, "line"));
+}
+
+/// The explanation, of which an error names the file and the line.
+io::Explanation explained(const ExplainArguments& options, const std::string& question, io::Precision precision) {
+  try {
+    return io::explain(question, precision);
+  } catch (const InvalidValue& e) {
+    throw InvalidValue(fmt::format("{}, line {}", source_of(options), options.line), "", e.what());
+  }
 }
 
 int run_explain(const ExplainArguments& options) {
@@ -46,7 +57,7 @@ int run_explain(const ExplainArguments& options) {
   const std::string question = question_line(options);
   const io::Precision precision = precision_of(options.precision);
   std::optional<Progress> progress("explaining");
-  const io::Explanation explanation = io::explain(question, precision);
+  const io::Explanation explanation = explained(options, question, precision);
   if (!options.svg.empty()) io::write_file(options.svg, io::draw_explanation(explanation, direction));
   progress.reset();
   if (options.json)

@@ -271,7 +271,7 @@ TEST(Cli, ExplainShowsTheQuantitiesOfAResponse) {
   std::ofstream(file) << R"({"query": "response", "a": {"mass": -1}})" << std::endl;
   const Result refused = run("explain " + file.string());
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.output.find("a.mass"), std::string::npos) << refused.output;
+  EXPECT_NE(refused.output.find(file.string() + ", line 1: a.mass"), std::string::npos) << refused.output;
   std::filesystem::remove(file);
 }
 

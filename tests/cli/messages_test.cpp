@@ -168,6 +168,11 @@ TEST(Messages, NumbersOutOfRangeAreToldWithoutTheRangeOfDouble) {
   EXPECT_EQ(run("cast " + example + " --from floor --duration -1").output,
             "graze: --duration: expected a finite number >= 0, got -1\n");
   EXPECT_EQ(run("explain " + questions + " --line 99").code, 2);
+  EXPECT_EQ(run("explain " + questions + " --line 99999999999999999999").output,
+            "graze: --line: expected a whole number of at most 19 digits, got 99999999999999999999\n");
+  for (const std::string count : {"0", "-3", "x", "2.5"})
+    EXPECT_EQ(run("collide " + example + " --points " + count).output,
+              "graze: --points: expected a whole number >= 1, got " + count + "\n");
   EXPECT_EQ(run("explain " + questions + " --line -3").output, "graze: --line: expected a whole number >= 1, got -3\n");
 }
 
