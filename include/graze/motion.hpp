@@ -35,7 +35,7 @@ struct CastHit {
   T depth{};         ///< depth at the start, as `distance` gives it, of shapes that overlap there; else 0 (or up to D)
   /// `bounded` when the bound on iterations was reached first: t is then the earliest time that is not excluded, and
   /// whether the shapes touch at all is not known. Bodies that turn a thousand times a hair's breadth apart reach it,
-  /// as does a half-space that turns, and in `float` one cast in some 50,000 of a user's shape.
+  /// as do two half-spaces of which one turns, and in `float` one cast in some 50,000 of a user's shape.
   /// `unbounded` for two half-spaces that are not opposite: they overlap from the start, by an infinite depth.
   Status status = Status::converged;
   std::uint32_t piece_a = 0, piece_b = 0;  ///< the child or triangle of a composite that is hit, else 0
@@ -45,10 +45,11 @@ struct CastHit {
 enum class Separating : std::uint8_t {
   hit,  ///< a hit, whatever the shapes do next
   /// Not a hit, so that a body can leave what it touches and slide along it, over the seams of a mesh too. Shapes slide
-  /// as long as some plane separates them except for their overlap at the start and `sinking` more; any other contact
-  /// is a hit, from the time on at which the shapes press: they approach, and get deeper. Nothing passes through
-  /// anything by sliding: a pair may sink by at most an eighth of what both measure across the plane, however thin they
-  /// are.
+  /// as long as some plane separates them except for their overlap at the start and `sinking` more, and leads over no
+  /// seam into the next triangle of a surface or segment of a chain; any other contact is a hit, from the time on at
+  /// which the shapes press: they approach, and get deeper. Nothing passes through anything by sliding: a pair may sink
+  /// by at most an eighth of what both measure across the plane, however thin they are. Only into the seam between two
+  /// bodies or children of a compound may what is thinner than that slide, since each is asked alone.
   ignored
 };
 

@@ -108,13 +108,13 @@ std::optional<double> discs_meet(const Mover<T>& a, const Mover<T>& b, double ne
 
 /// Conservative advancement from a time on. The first time at which the gap is at most `near`, which may be less than
 /// zero; steps end `tolerance / 2` below it, so that the last one does not fall short by rounding. Calls `seen(nearby)`
-/// at each time that is looked at.
+/// at each time that is looked at, and goes by what that leaves of it.
 template <class T, class Seen>
 std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double from, double duration, double size,
                                     double near, double tolerance, const Seen& seen) {
   double t = from;
   for (int step = 0; step < most_advances; ++step) {
-    const Nearby now = nearby(a, b, t, size);
+    Nearby now = nearby(a, b, t, size);
     seen(now);
     if (now.gap <= near) return now.contact;
     const ApartUntil next = apart_from(a, b, now, now.gap - (near - tolerance / 2), duration);

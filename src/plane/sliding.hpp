@@ -2,10 +2,11 @@
 //
 // Guarantee: `Separating::ignored` of `graze/motion.hpp`. Pieces slide as long as their signed distance, which for
 // convex pieces is the gap along the plane that keeps them furthest apart, stays above what it was at the start less
-// what they may sink; that is a part of the way to the middle of each other, so nothing passes through by sliding.
+// what they may sink; where that plane leads over a seam of a chain, the gap along the segment's normal counts; that is a part of the way to the middle of each other, so nothing passes through by sliding.
 #pragma once
 
 #include "plane/advance.hpp"
+#include "plane/chain_seams.hpp"
 #include "plane/leaves.hpp"
 
 namespace graze::plane {
@@ -62,14 +63,16 @@ std::optional<WorldContact> pressing(const Mover<T>& a, const Mover<T>& b, const
   const double deep = first.depth + may_sink(a, b, first, duration, pair, near);
   WorldContact press = first;
   bool apart = false;
-  const auto seen = [&](const Nearby& now) {
+  const auto seen = [&](Nearby& now) {
+    keep_off_seams(a, b, near, now);
     if (now.contact.t == first.t || now.gap < -first.depth) return;
     press = now.contact;
     apart = now.gap > near;
   };
   if (!advance(a, b, first.t, duration, size, -deep, near, seen)) {
     // Pieces that press count from the depth D on where no time is left to get as deep.
-    const Nearby last = nearby(a, b, duration, size);
+    Nearby last = nearby(a, b, duration, size);
+    keep_off_seams(a, b, near, last);
     if (!(last.gap < -first.depth - 2 * near) || !approaches(a, b, last.contact)) return {};
   }
   // A piece that has left the other and comes back touches it anew.

@@ -161,6 +161,27 @@ TEST(PlaneCast, SlidesOverSeams) {
   }
 }
 
+/// Each segment beside a vertex leaves a thin body that stands over it to one side; the chain does not.
+template <class T>
+void expect_no_sliding_into_seams() {
+  const std::vector<Vec2<T>> points{{-2, 0}, {-1, 0}, {0, 0}, {1, T(0.5)}, {2, T(0.5)}};
+  const Shape<T> thin[] = {Segment<T>({0, T(-0.5)}, {0, T(0.5)}), Box<T>({0, 1}), Box<T>({T(1e-5), 1}),
+                           Capsule<T>(1, 0, 0), Box<T>({T(1e-3), 1})};
+  const Shape<T> chain = Chain<T>(points);
+  for (const Shape<T>& body : thin)
+    for (const T above : {T(0), T(1e-6), T(0.5)})
+      for (const std::size_t i : {1u, 2u, 3u}) {
+        const Pose2<T> pose{points[i] + Vec2<T>{T(0), T(0.5) + above}, {}};
+        const auto hit = cast<T>(chain, {}, {}, body, pose, {{0, T(-1)}, 0}, T(1), CastOptions{Separating::ignored});
+        ASSERT_TRUE(hit) << body.name() << " above " << above << " at vertex " << i;
+        EXPECT_NEAR(hit->t, above, 2e-3);
+      }
+}
+TEST(PlaneCast, ThinBodiesDoNotSlideIntoSeams) {
+  expect_no_sliding_into_seams<float>();
+  expect_no_sliding_into_seams<double>();
+}
+
 /// Polygons that spin several times on their way, from near and from far away: where both turn at the same rate about
 /// each other nothing helps but small steps, and all else must not pass a corner that comes round.
 TEST(PlaneCast, SpinningPolygonsAreNeitherMissedNorPassed) {
