@@ -62,7 +62,7 @@ export const hulls: Lesson = {
     "A hierarchy of ever simpler hulls inside each other needs a few dozen. Turn the direction.",
   dimension: 3, view: { center: [0.2, 0, 0], reach: 2 }, start: situation(1000, "egg", [0.8, 0.5, 0.35]),
   choices: [
-    { key: "count", label: "Points", options: [1000, 20, 100, 10000].map((value) => ({ value, label: value.toLocaleString("en") })) },
+    { key: "count", label: "Points", usual: 1000, options: [20, 100, 1000, 10000].map((value) => ({ value, label: value.toLocaleString("en") })) },
     { key: "form", label: "Shape", options: [{ value: "egg", label: "egg" }, { value: "needle", label: "needle" }] },
   ],
   handles: (s) => [{ id: "direction", label: "Turn the direction", kind: "turn", meaning: "axis", at: scale(chosen(s).u, 1.9) }],

@@ -1,6 +1,7 @@
 // A lesson: data, and for each step a drawing. CONTRIBUTING.md explains how to add one.
 
 import { ask } from "../graze.ts";
+import type { Bits, Choice } from "../parts/choices.ts";
 import type { Programs } from "../parts/code.ts";
 import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
 import type { Graph } from "../parts/graph.ts";
@@ -45,20 +46,6 @@ export interface Example {
   /** A hint at what to look at. */
   note: string;
   state: State;
-}
-
-export interface Choice {
-  key: string;
-  label: string;
-  options: { value: number | string | boolean; label: string }[];
-}
-
-/** A number of the state whose bits are switched one by one. */
-export interface Bits {
-  key: string;
-  label: string;
-  /** The meaning of each bit, the lowest first. */
-  names: string[];
 }
 
 export interface Code {

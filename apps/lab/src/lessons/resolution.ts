@@ -31,7 +31,7 @@ export const resolution: Lesson = {
   dimension: 3, view: { center: [0.6, 0.2, 0], reach: 2.1, from: [0.15, 0.25, 1] }, start: situation([0.5, 1.1, 0], [-0.5, -0.8, 0]),
   choices: [
     { key: "restitution", label: "Restitution", options: [0, 0.5, 1].map((value) => ({ value, label: String(value) })) },
-    { key: "friction", label: "Friction", options: [0.6, 0, 0.1].map((value) => ({ value, label: String(value) })) },
+    { key: "friction", label: "Friction", usual: 0.6, options: [0, 0.1, 0.6].map((value) => ({ value, label: String(value) })) },
     { key: "mass", label: "Mass of B", options: [1, 10, 100].map((value) => ({ value, label: String(value) })) },
   ],
   handles(s): Handle[] {

@@ -2,7 +2,8 @@
 
 import { ask, line } from "../graze.ts";
 import { lessons } from "../lessons/index.ts";
-import type { Bits, Example, Lesson, Step } from "../lessons/lesson.ts";
+import type { Example, Lesson, Step } from "../lessons/lesson.ts";
+import { Choices } from "../parts/choices.ts";
 import { codeOf } from "../parts/code.ts";
 import { h } from "../parts/dom.ts";
 import type { Stage } from "../parts/drawing.ts";
@@ -35,7 +36,9 @@ export class LessonRoom implements Room {
   private readonly words = h("div", { class: "words", "aria-live": "polite" });
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly plot = h("div", { class: "plot" });
-  private readonly choices = h("div", { class: "choices" });
+  private readonly choices: Choices;
+  /** The drawing with its controls, and the words and numbers of the step. */
+  private readonly board: HTMLElement;
   private readonly code = h("div", { class: "code" });
   private looked = "";
   private readonly copyQuestion = this.link("Copy as a question", () => line(this.question()!));
@@ -47,6 +50,11 @@ export class LessonRoom implements Room {
     this.state = parse(values.s, copy(lesson.start), isState);
     this.step = Math.max(0, Number(values.step ?? 0) | 0);
     this.history = new History(this.state);
+    this.choices = new Choices(lesson.choices ?? [], lesson.bits ?? [], (key, value) =>
+      this.change({ ...copy(this.state), choice: { ...this.state.choice, [key]: value } }, true));
+    this.board = h("div", { class: "board" },
+      h("div", { class: "picture" }, this.choices.element, this.trouble, this.place, this.timeline.element),
+      h("div", { class: "side" }, this.words, this.plot, this.table.element));
     this.table.onPoint = (key) => this.light(key);
     this.timeline.speed = speeds.includes(Number(values.speed)) ? Number(values.speed) : 1;
     this.element = this.page();
@@ -90,15 +98,18 @@ export class LessonRoom implements Room {
       if (this.settled) this.remember();
     });
   }
-  /** Shows an example, and on a phone scrolls to the picture, which is far above the examples. */
+  /** Shows an example, and scrolls to the drawing, which may be far above the examples. */
   private tryOut(example: Example): void {
     this.change(copy(example.state), true);
-    this.stage.element.scrollIntoView({ block: "nearest" });
+    if (this.stage.element.getBoundingClientRect().top < 0) this.board.scrollIntoView();
   }
+  /** Shows a step, and scrolls to its title where that is below the screen: on a phone it stands below the drawing. */
   private go(step: number): void {
     this.step = step;
     this.paint();
     this.remember();
+    const [title, bar] = [this.words.firstElementChild!, this.timeline.element].map((x) => x.getBoundingClientRect());
+    if (title.bottom > bar.top) this.board.scrollIntoView();
   }
   private light(key: string | null): void {
     this.stage.light(key);
@@ -150,7 +161,7 @@ export class LessonRoom implements Room {
     this.step = Math.min(this.step, this.steps.length - 1);
     this.look();
     this.paint();
-    this.showChoices();
+    this.choices.show(this.state);
     this.showCode();
   }
   private paint(): void {
@@ -179,9 +190,7 @@ export class LessonRoom implements Room {
         h("p", { class: "number" }, `Lesson ${lesson.number} · ${lesson.title}`),
         h("h1", {}, lesson.question),
         h("p", { class: "intro" }, lesson.intro)),
-      h("div", { class: "board" },
-        h("div", { class: "picture" }, this.choices, this.trouble, this.place, this.timeline.element),
-        h("div", { class: "side" }, this.words, this.plot, this.table.element)),
+      this.board,
       h("div", { class: "more" },
         h("section", {}, h("h2", {}, "Try this"), h("ul", {}, ...lesson.tryThis.map(example)),
           h("p", { class: "actions" },
@@ -202,25 +211,6 @@ export class LessonRoom implements Room {
   private link(label: string, text: () => string): HTMLElement {
     const button = h("button", { type: "button", onclick: () => void this.put(text(), button) }, label);
     return button;
-  }
-  private showChoices(): void {
-    this.choices.replaceChildren(...(this.lesson.choices ?? []).map((choice) => {
-      const now = this.state.choice?.[choice.key] ?? choice.options[0].value;
-      return h("fieldset", {}, h("legend", {}, choice.label),
-        ...choice.options.map((o) =>
-          h("button", {
-            type: "button", "aria-pressed": String(o.value === now),
-            onclick: () => this.change({ ...copy(this.state), choice: { ...this.state.choice, [choice.key]: o.value } }, true),
-          }, o.label)));
-    }), ...(this.lesson.bits ? [h("div", { class: "bit-rows" }, ...this.lesson.bits.map((of) => this.switches(of)))] : []));
-  }
-  /** A number's bits, the highest first as it is written, each a button. */
-  private switches({ key, label, names }: Bits): HTMLElement {
-    const now = Number(this.state.choice?.[key] ?? 0);
-    const bit = (name: string, i: number): HTMLElement =>
-      h("button", { type: "button", "aria-pressed": String((now >> i) % 2 === 1), "data-bit": `${key}-${i}`, "aria-label": `${label}: ${name}`, title: name,
-        onclick: () => this.change({ ...copy(this.state), choice: { ...this.state.choice, [key]: now ^ (1 << i) } }, true) }, String((now >> i) % 2));
-    return h("fieldset", { class: "bits" }, h("legend", {}, label), ...names.map(bit).reverse());
   }
   private showCode(): void {
     const question = this.question();

@@ -112,18 +112,37 @@ test("touch: a finger drags a body", async () => {
   await page.context().close();
 });
 
-test("a page is no wider than a phone, and its labels and handles are seen there", async () => {
+test("a phone shows a page in its width, the next step's button at once, labels, handles, and drawing and title of a step together", async () => {
   const page = await visit("", { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
   const over = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  const boxes = () => page.evaluate(() => ["[data-next]", ".stage", ".words h2", ".timeline"].map((x) => {
+    const { left, top, right, bottom } = document.querySelector(x).getBoundingClientRect();
+    return { top, bottom, onTop: document.elementFromPoint((left + right) / 2, (top + bottom) / 2)?.matches(x) };
+  }));
   assert.ok((await over()) <= 0, `the list of all: ${await over()} pixels`);
   for (const lesson of lessons) {
     await goTo(page, lesson);
+    const [next] = await boxes();
+    assert.ok(next.bottom <= 740 && next.onTop && (await page.evaluate(() => scrollY)) === 0, `${lesson}: the button reaches down to ${next.bottom} of 740 pixels`);
+    await page.tap("[data-next]");
+    const [, stage, title, bar] = await boxes();
+    assert.ok(stage.top >= 0 && stage.bottom <= title.top && title.bottom <= bar.top && bar.bottom <= 740.5,
+      `${lesson}: drawing ${stage.top} to ${stage.bottom}, title ${title.top} to ${title.bottom}, controls ${bar.top} to ${bar.bottom}`);
     for (const end of ["First", "Last"]) {
       await page.click(`button[aria-label^="${end}"]`);
       assert.ok((await over()) <= 0, `${lesson}: ${await over()} pixels`);
       assert.deepEqual(await unseen(page), [], lesson);
     }
   }
+  // Whoever reads on keeps the place; an example far below leads back to the drawing.
+  await goTo(page, "#/lesson/fifteen-axes");
+  await page.tap('button[aria-label^="Last"]');
+  const reading = await page.evaluate(() => (scrollBy(0, document.querySelector(".numbers").getBoundingClientRect().top - 400), scrollY));
+  await page.tap('button[aria-label^="Previous"]');
+  assert.equal(await page.evaluate(() => scrollY), reading);
+  await page.tap(".example");
+  const [, stage, title, bar] = await boxes();
+  assert.ok(stage.top >= 0 && stage.bottom <= title.top && title.bottom <= bar.top, "an example is not seen");
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });
@@ -141,6 +160,20 @@ test("the button of the next step is seen without scrolling, and only controls s
   }
   assert.deepEqual(page.trouble, []);
   await page.context().close();
+});
+
+test("a choice keeps the focus, and its row the place to which it was pushed", async () => {
+  const page = await visit("#/lesson/broad-phases", { viewport: { width: 390, height: 844 } });
+  await page.focus('.choices button:text-is("BSP")');
+  await page.keyboard.press("Enter");
+  await frame(page);
+  assert.equal(await page.$eval('.choices button:text-is("BSP")', (button) => button === document.activeElement && button.getAttribute("aria-pressed")), "true");
+  const seen = (of) => of.evaluate(() => (({ left, right }) => left >= 0 && right <= innerWidth)([...document.querySelectorAll(".choices button")].find((x) => x.textContent === "BSP").getBoundingClientRect()));
+  assert.ok(await seen(page));
+  const other = await visit(await page.evaluate(() => location.hash), { viewport: { width: 390, height: 844 } });
+  assert.ok(await seen(other), "a choice of the address is not seen");
+  await page.context().close();
+  await other.context().close();
 });
 
 test("an address that makes no sense shows the lesson as it starts", async () => {
