@@ -91,7 +91,7 @@ export const appendix: Lesson = {
     }));
     steps.push({
       title: missed ? "No hit" : "The answer",
-      text: missed ? "No parameter of the ray lies in all spans." : `Found by ${answer.trace.method}.`,
+      text: missed ? "No parameter of the ray lies in all spans." : `Found by ${answer.trace.method.replace(/gjk|epa/, (name) => name.toUpperCase())}.`,
       numbers: { caption: "Answer", columns: ["quantity", "value"], rows },
       says: missed ? "The ray misses." : q.query === "raycast" ? `Hit after ${digits(answer.t, 5)}.` : `Distance ${digits(answer.distance, 5)}.`,
       draw(d) {

@@ -146,7 +146,7 @@ const all = (count * (count - 1)) / 2;
 export const broadPhases: Lesson = {
   id: "broad-phases", number: 10, title: "Broad phases", question: "Which of a hundred bodies may touch at all?",
   intro: "A hundred bodies make 4,950 pairs, and hardly any of them touch. A broad phase knows only boxes along the axes, and finds the pairs that are worth a closer look. All of them find the same pairs.",
-  dimension: 3, view: { center: [0, 0, 0], reach: 4.7 }, start: situation("crowd"),
+  dimension: 3, view: { center: [0, 0, 0], reach: 5.3 }, start: situation("crowd"),
   choices: [{ key: "kind", label: "Structure", options: kinds.map((value) => ({ value, label: labels[value] })) }, { key: "scene", label: "Scene", options: scenes }],
   handles: (s) => [{ id: "ask", label: "Move the box that asks", kind: "move", meaning: "axis", named: true, at: asking(s).at }],
   drag: (s, _id, to) => ({ ...s, choice: { ...s.choice, x: dragTo(to[0]), y: dragTo(to[1]), z: dragTo(to[2]) } }),

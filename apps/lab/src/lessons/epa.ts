@@ -31,7 +31,7 @@ export const epaPlane: Lesson = {
   id: "epa", number: 8, title: "EPA", question: "They overlap: how deep, and which way out?",
   intro: "The expanding polytope algorithm starts with GJK's last simplex, which holds the origin, and lets it grow to the boundary of the difference, " +
     "always where that is nearest.",
-  dimension: 2, view: { center: [1.2, -2], reach: 5.2 }, start: situation([1.2, 0.7], 0.4),
+  dimension: 2, view: { center: [1.2, -1.8], reach: 5.6 }, start: situation([1.2, 0.7], 0.4),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b)],
   drag: (s, id, to) => dragBody(s, id, to, arms),
   steps(state) {

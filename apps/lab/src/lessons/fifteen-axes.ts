@@ -72,7 +72,7 @@ export const fifteenAxes: Lesson = {
     "Three face normals of A, three of B, and the nine products of their edges: if none of the fifteen separates, nothing does. " +
     "Drag the letters to move the boxes and the round arrows to turn them; drag beside them to look around.",
   dimension: 3,
-  view: { center: [0.7, 1, 0], reach: 3.1 },
+  view: { center: [0.7, 1, 0], reach: 3.1, from: [0.9, 0.5, 1] },
   start: situation([1.35, 1.05, 0.35], quatAbout([0.4, 0.5, 0.8], 0.9)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b), sizeHandle(s, "b")],
   drag: (s, id, to) => dragBody(s, id, to, arms),

@@ -39,7 +39,7 @@ export const filters: Lesson = {
   intro: "Switch the bits: each is a type, PESC from the right. Shots pass through shots, coins through enemies. Each body has a category, one bit or several, and a mask of the categories that it collides with. Two ANDs decide, before anything is computed.",
   dimension: 3, view: { center: [0, 0, 0], reach: 1.9, from: [0, 0.15, 1] }, start: situation(),
   bits: names.flatMap((name, i) => [{ key: `c${i}`, label: `${name}: category`, names }, { key: `m${i}`, label: `${name}: mask`, names }]),
-  handles: (s) => names.map((name, i) => ({ id: `body-${i}`, label: `Move ${name}`, kind: "move", meaning: "ink", at: placeOf(s, i) })),
+  handles: (s) => names.map((name, i) => ({ id: `body-${i}`, label: `Move ${name}`, kind: "move", meaning: "ink", sign: bits[i], at: placeOf(s, i) })),
   drag(s, id, to) {
     const i = id.slice(-1);
     return { ...s, choice: { ...s.choice, [`x${i}`]: dragTo(to[0]), [`y${i}`]: dragTo(to[1]) } };
@@ -57,7 +57,11 @@ export const filters: Lesson = {
     const open = pairs({ ...state, choice: { ...state.choice, ...Object.fromEntries(names.flatMap((_, i) => [[`m${i}`, 15], [`g${i}`, 0], [`c${i}`, 1 << i]])) } });
     const rows = names.map((name, i) => ({ cells: [name, binary(bitsOf(state, i).category), binary(bitsOf(state, i).mask), String(bitsOf(state, i).group)], key: `body-${i}` }));
     const draw = (now?: [number, number]): Step["draw"] => (d) => {
-      names.forEach((name, i) => d.shape({ shape: sphere(0.7), translation: placeOf(state, i) }, now?.includes(i) ? (i === now[0] ? "a" : "b") : "out", { label: `${name} ${bits[i]}`, ghost: now !== undefined && !now.includes(i), key: `body-${i}` }));
+      for (const [i, name] of names.entries()) {
+        const [x, y] = placeOf(state, i), meaning = !now?.includes(i) ? "out" : i === now[0] ? "a" : "b";
+        d.shape({ shape: sphere(0.7), translation: [x, y, 0] }, meaning, { ghost: now && meaning === "out", key: `body-${i}` });
+        d.text([x, y < 0 ? y - 0.45 : y + 0.45, 0], name, meaning); // the sign of the handle is in the middle
+      }
       for (const pair of open) {
         const [i, j] = pair.split(" ").map(Number);
         if (now && !(now[0] === i && now[1] === j)) continue;

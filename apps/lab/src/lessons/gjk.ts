@@ -183,7 +183,7 @@ export const gjkPlane: Lesson = {
   id: "gjk", number: 7, title: "GJK in the plane", question: "How far apart are they, and why may we stop?",
   intro: "The algorithm of Gilbert, Johnson and Keerthi walks through the difference towards the origin. It works for everything that can name its " +
     "furthest point along a direction.",
-  dimension: 2, view: (s) => ({ center: add([1.6, -2.3], away(s.q)), reach: 5.6 }), start: planeState([3.4, 1.1], 0.4),
+  dimension: 2, view: (s) => ({ center: add([1.6, -2.2], away(s.q)), reach: 5.9 }), start: planeState([3.4, 1.1], 0.4),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b)],
   drag: (s, id, to) => dragBody(s, id, to, arms),
   steps({ q }) {

@@ -101,7 +101,7 @@ export const minkowski: Lesson = {
     "Take every point of B minus every point of A. The result is one convex shape, and it contains the origin exactly when A and B " +
     "have a point in common. Move B and watch the difference move with it.",
   dimension: 2,
-  view: { center: [1.2, -2.05], reach: 5.6 },
+  view: { center: [1.2, -1.75], reach: 6 },
   start: situation([2.9, 0.9], 0.5),
   choices: [{ key: "what", label: "Show", options: [{ value: "difference", label: "difference B ⊖ A" }, { value: "sum", label: "sum A ⊕ B" }] }],
   handles(s): Handle[] {

@@ -61,8 +61,7 @@ export class Handles {
 
   /** Keeps labels off the handles. */
   keepFree(places: LabelPlaces): void {
-    const half = matchMedia("(pointer: coarse)").matches ? 21 : 16; // as the style sheet has it
-    for (const handle of this.handles) places.keep(this.projection.toScreen(handle.at), half);
+    for (const handle of this.handles) places.keep(this.projection.toScreen(handle.at), 16); // as the style sheet has it
   }
 
   private at(id: string): Vec {

@@ -27,9 +27,11 @@ export class Stage2 implements Stage, Drawing {
   private moved = false;
   private size: [number, number] = [600, 480];
   private layers: SVGElement[] = [];
-  private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
+  private texts: { at: Vec; text: string; meaning: Meaning; from?: Vec }[] = [];
   /** The pixels of the points that are drawn, and their radii. */
   private dots: { at: [number, number]; radius: number }[] = [];
+  /** The pixels between which wide lines are drawn. */
+  private wide: [[number, number], [number, number]][] = [];
   private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
   private lit: string | null = null;
 
@@ -118,6 +120,7 @@ export class Stage2 implements Stage, Drawing {
     this.picture.setAttribute("aria-label", says);
     this.texts = [];
     this.dots = [];
+    this.wide = [];
     paint(this);
     this.picture.replaceChildren(hatches(), this.grid(), ...this.layers);
     this.handles.show(handles);
@@ -128,8 +131,9 @@ export class Stage2 implements Stage, Drawing {
     const places = new LabelPlaces(this.size);
     this.handles.keepFree(places);
     for (const { at, radius } of this.dots) places.keep(at, radius);
-    for (const { at, text, meaning } of this.texts) {
-      const { left, bottom } = places.place(this.pixel(at), text);
+    for (const ends of this.wide) places.keepLine(...ends, 3);
+    for (const { at, text, meaning, from } of this.texts) {
+      const { left, bottom } = places.place(this.pixel(at), text, from && this.pixel(from));
       this.layers[3].append(svg("text", { x: left, y: bottom - 4, class: `of-${meaning}` }, text));
     }
   }
@@ -179,6 +183,7 @@ export class Stage2 implements Stage, Drawing {
   line(from: Vec, to: Vec, meaning: Meaning, look?: Look): void {
     const [x1, y1] = this.pixel(from), [x2, y2] = this.pixel(to);
     this.layers[1].append(svg("line", { ...this.attributes(meaning, look), x1, y1, x2, y2 }));
+    if (look?.wide) this.wide.push([[x1, y1], [x2, y2]]);
     this.label(scale(add(from, to), 0.5), look, meaning);
   }
   arrow(from: Vec, to: Vec, meaning: Meaning, look?: Look): void {
@@ -192,7 +197,7 @@ export class Stage2 implements Stage, Drawing {
       const attributes = this.attributes(meaning, look);
       this.layers[2].append(svg("path", { ...attributes, class: `head ${attributes.class}`, d }));
     }
-    this.label(to, look, meaning);
+    if (look?.label) this.texts.push({ at: to, text: look.label, meaning, from });
   }
   polygon(points: Vec[], meaning: Meaning, look?: Look): void {
     const attributes = this.attributes(meaning, look);

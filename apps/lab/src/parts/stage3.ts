@@ -43,12 +43,13 @@ export class Stage3 implements Stage, Drawing {
   private drawn = new THREE.Group();
   /** Pictures that are to be discarded. */
   private left: THREE.Group[] = [];
-  private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look }>();
-  private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
+  private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look; onTop: boolean }>();
+  private texts: { at: Vec; text: string; meaning: Meaning; from?: Vec }[] = [];
   private picks: THREE.Object3D[] = [];
   private dots: { at: Vec; key: string }[] = [];
-  /** The places of points that are drawn big. */
+  /** The places of points that are drawn big, and the ends of lines that are drawn wide. */
   private spots: Vec[] = [];
+  private wide: [Vec, Vec][] = [];
   private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
   private lit: string | null = null;
   private waiting = 0;
@@ -219,26 +220,27 @@ export class Stage3 implements Stage, Drawing {
       opacity: look?.ghost ? 0.4 : 1,
     }));
     dot.position.copy(v3(at));
-    dot.scale.setScalar(lit || look?.wide ? 0.026 : 0.017);
+    dot.scale.setScalar(lit || look?.wide ? 0.026 : 0.013);
     dot.renderOrder = 3;
     this.drawn.add(dot);
     if (look?.key !== undefined) this.dots.push({ at, key: look.key });
     if (look?.wide) this.spots.push(at);
     if (look?.label) this.texts.push({ at, text: look.label, meaning });
   }
-  line(from: Vec, to: Vec, meaning: Meaning, look: Look = {}): void {
-    const lit = look.key !== undefined && look.key === this.lit;
-    const kind = `${meaning}/${look.ghost ? 1 : 0}${look.dashed ? 1 : 0}${look.wide || lit ? 1 : 0}`;
+  line(from: Vec, to: Vec, meaning: Meaning, look: Look = {}, onTop = false): void {
+    const lit = look.key !== undefined && look.key === this.lit, wide = look.wide || lit;
+    const kind = [meaning, look.ghost, look.dashed, wide, onTop].join();
     let batch = this.lines.get(kind);
     if (!batch) {
-      batch = { positions: [], meaning, look: { ...look, wide: look.wide || lit } };
+      batch = { positions: [], meaning, look: { ...look, wide }, onTop: wide || onTop };
       this.lines.set(kind, batch);
     }
+    if (look.wide) this.wide.push([from, to]);
     batch.positions.push(...v3(from).toArray(), ...v3(to).toArray());
     if (look.label) this.texts.push({ at: from.map((x, i) => (x + to[i]) / 2), text: look.label, meaning });
   }
   arrow(from: Vec, to: Vec, meaning: Meaning, look: Look = {}): void {
-    this.line(from, to, meaning, { ...look, label: undefined });
+    this.line(from, to, meaning, { ...look, label: undefined }, true);
     const along = v3(sub(to, from));
     const size = Math.min(this.reach / 22, length(sub(to, from)) / 2);
     if (size > 0) {
@@ -250,7 +252,7 @@ export class Stage3 implements Stage, Drawing {
       head.renderOrder = 3;
       this.drawn.add(head);
     }
-    if (look.label) this.texts.push({ at: to, text: look.label, meaning });
+    if (look.label) this.texts.push({ at: to, text: look.label, meaning, from });
   }
   polygon(points: Vec[], meaning: Meaning, look?: Look): void {
     if (points.length > 2) {
@@ -280,6 +282,7 @@ export class Stage3 implements Stage, Drawing {
     this.picks = [];
     this.dots = [];
     this.spots = [];
+    this.wide = [];
   }
   /** Discards the last picture once the next one is there: its materials' programs, which take tens of milliseconds to
    *  compile, live as long as a material uses them. */
@@ -299,16 +302,16 @@ export class Stage3 implements Stage, Drawing {
     this.canvas.setAttribute("aria-label", says);
     paint(this);
     this.axes();
-    for (const { positions, meaning, look } of this.lines.values()) {
+    for (const { positions, meaning, look, onTop } of this.lines.values()) {
       const geometry = new LineSegmentsGeometry();
       geometry.setPositions(positions);
       const material = new LineMaterial({
         color: color(meaning), linewidth: look.wide ? 4 : 2, dashed: look.dashed ?? false, transparent: true,
-        opacity: look.ghost ? 0.4 : 1, dashSize: this.reach / 30, gapSize: this.reach / 40, depthTest: !look.wide,
+        opacity: look.ghost ? 0.4 : 1, dashSize: this.reach / 30, gapSize: this.reach / 40, depthTest: !onTop,
       });
       const line = new LineSegments2(geometry, material);
       if (look.dashed) line.computeLineDistances();
-      line.renderOrder = look.wide ? 2 : 1;
+      line.renderOrder = onTop ? 2 : 1;
       line.userData.own = true;
       this.drawn.add(line);
     }
@@ -318,12 +321,12 @@ export class Stage3 implements Stage, Drawing {
   }
   private axes(): void {
     if (!this.hasGrid) return;
-    const grid = new THREE.GridHelper(this.reach * 8, 16, color("grid"), color("grid"));
-    (grid.material as THREE.Material).transparent = true;
-    (grid.material as THREE.Material).opacity = 0.5;
+    const grid = new THREE.GridHelper(this.reach * 8, 16, color("grid"), color("grid")), lines = grid.material as THREE.Material;
+    // Lines through bodies that cross the ground would look like edges: they are drawn first, and everything hides them.
+    lines.depthTest = lines.depthWrite = false;
+    grid.renderOrder = -1;
     grid.userData.own = true;
     if (this.flat) grid.rotation.x = Math.PI / 2;
-    grid.position.set(0, this.flat ? 0 : -0.001, this.flat ? -this.reach / 100 : 0);
     this.drawn.add(grid);
   }
   private request(): void {
@@ -341,8 +344,9 @@ export class Stage3 implements Stage, Drawing {
     const places = new LabelPlaces(this.size);
     this.handles.keepFree(places);
     for (const at of this.spots) places.keep(this.pixel(at), 6);
-    this.texts.forEach(({ at, text }, i) => {
-      const { left, top } = places.place(this.pixel(at), text);
+    for (const [from, to] of this.wide) places.keepLine(this.pixel(from), this.pixel(to), 3);
+    this.texts.forEach(({ at, text, from }, i) => {
+      const { left, top } = places.place(this.pixel(at), text, from && this.pixel(from));
       const label = this.labels.children[i] as HTMLElement | undefined;
       if (label) label.style.transform = `translate(${left}px, ${top}px)`;
     });

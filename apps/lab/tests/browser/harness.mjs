@@ -127,7 +127,7 @@ export const numbers = (page) =>
 export const bareColumns = (page) =>
   page.$$eval("thead tr > *", (list) => list.filter((cell) => cell.tagName !== "TH" || !cell.textContent.trim()).map((cell) => cell.closest("table").caption.textContent));
 
-/** Labels of the drawing that are cut, lie on another one, or below a handle; and handles outside of it. */
+/** Labels of the drawing that are cut, lie on another one, on a wide line, or below a handle; and handles outside of it. */
 export async function unseen(page) {
   await frame(page);
   return page.evaluate(() => {
@@ -143,7 +143,14 @@ export async function unseen(page) {
       const { left, top, right, bottom } = frameOf(handle), [x, y] = [(left + right) / 2, (top + bottom) / 2];
       return x < stage.left || x > stage.right || y < stage.top || y > stage.bottom;
     });
-    return lost.map((handle) => `${name(handle)} is outside`).concat(labels.flatMap((label, i) => [
+    /** Whether a line goes through the letters, of which the font's line leaves some pixels free. */
+    const crosses = (line, { left, top, right, bottom }) => {
+      const [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map((end) => line[end].baseVal.value);
+      return Array.from({ length: 101 }, (_, i) => [stage.left + x1 + ((x2 - x1) * i) / 100, stage.top + y1 + ((y2 - y1) * i) / 100])
+        .some(([x, y]) => x > left + 2 && x < right - 2 && y > top + 5 && y < bottom - 5);
+    };
+    const crossed = labels.filter((label) => [...document.querySelectorAll(".stage2 line.wide")].some((line) => crosses(line, frameOf(label))));
+    return lost.map((handle) => `${name(handle)} is outside`).concat(crossed.map((label) => `${name(label)} lies on a line`), labels.flatMap((label, i) => [
       ...(inside(frameOf(label)) ? [] : [`${name(label)} is cut`]),
       ...others.slice(i + 1).filter((other) => meet(frameOf(label), frameOf(other))).map((other) => `${name(label)} and ${name(other)}`)]));
   });

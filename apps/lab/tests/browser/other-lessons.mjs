@@ -56,3 +56,34 @@ test("resolution: impulse and approach are the library's to the last digit", asy
   }
   await page.context().close();
 });
+
+test("a label lies beyond the arrow that it names, and no line of the ground is drawn through a body", async () => {
+  const page = await visit("#/lesson/epa");
+  await page.click('button[aria-label^="Last"]');
+  const beyond = await page.evaluate(() => {
+    const { stage } = window.lab, { at, from, text } = stage.texts.find((label) => label.from);
+    const label = [...document.querySelectorAll(".stage2 text")].find((x) => x.textContent === text).getBoundingClientRect(), { left, top } = stage.element.getBoundingClientRect();
+    const [tip, end] = [stage.pixel(at), stage.pixel(from)];
+    return ((label.left + label.right) / 2 - left - tip[0]) * (tip[0] - end[0]) + ((label.top + label.bottom) / 2 - top - tip[1]) * (tip[1] - end[1]);
+  });
+  assert.ok(beyond > 0, `${beyond}`);
+  await page.evaluate(() => (location.hash = "#/lesson/hulls"));
+  await page.waitForFunction(() => window.lab.lesson?.id === "hulls");
+  // Through both sides of the translucent hull a fifth is seen of what lies behind it, and no more of what crosses it.
+  const through = await page.evaluate(() => {
+    const { stage } = window.lab, pen = document.createElement("canvas").getContext("2d"), { width, height } = stage.canvas;
+    const middle = () => {
+      stage.renderer.render(stage.scene, stage.eye);
+      pen.clearRect(0, 0, 300, 150);
+      pen.drawImage(stage.canvas, width / 2 - 100, height / 2 - 40, 200, 100, 0, 0, 200, 100);
+      return pen.getImageData(0, 0, 200, 100).data;
+    };
+    const withGround = middle();
+    stage.hasGrid = false;
+    window.lab.paint();
+    return middle().reduce((most, value, i) => Math.max(most, Math.abs(value - withGround[i])), 0);
+  });
+  assert.ok(through < 60, `the ground's lines differ from the hull by ${through} of 255`);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
