@@ -23,7 +23,7 @@ function enter(next: Room): void {
   main.replaceChildren(next.element);
 }
 
-function viewer(values: Record<string, string>): Room {
+function viewer(values: Record<string, string>): SceneRoom {
   const enterScene = (scene: Scene): void => {
     const text = packed(scene);
     if (text) location.hash = address("/scene", { s: text });
@@ -77,7 +77,23 @@ function frame(): Node[] {
   ];
 }
 
+/** Opens files that are dropped on any page: left to itself, a browser would leave the lab for them. */
+function takeDrops(): void {
+  const files = ({ dataTransfer }: DragEvent): boolean => dataTransfer?.types.includes("Files") ?? false;
+  window.addEventListener("dragover", (event) => files(event) && event.preventDefault());
+  window.addEventListener("drop", (event) => {
+    if (!files(event)) return;
+    event.preventDefault();
+    if (!(room instanceof SceneRoom)) {
+      history.pushState(null, "", address("/scene", {}));
+      open();
+    }
+    (room as SceneRoom).openFiles([...event.dataTransfer!.files]);
+  });
+}
+
 startTheme();
+takeDrops();
 window.addEventListener("hashchange", open);
 window.addEventListener("keydown", (event) => {
   if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;

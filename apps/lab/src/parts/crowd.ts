@@ -1,6 +1,8 @@
-// Many bodies, drawn together: one instanced mesh for each shape, whose matrices alone change from frame to frame.
+// Many bodies, drawn together: one instanced mesh for each shape, whose matrices alone change from frame to frame, and one
+// for the outlines of those that have one.
 
 import * as THREE from "three";
+import { rimMaterial } from "./rim.ts";
 import { color } from "./theme.ts";
 import type { Solid } from "./solid.ts";
 import type { Meaning } from "./drawing.ts";
@@ -12,7 +14,7 @@ export interface Looks {
   /** Whether it is translucent: a shape without an end, or a trigger. */
   flat: boolean;
 }
-interface Batch { mesh: THREE.InstancedMesh; bodies: number[] }
+interface Batch { mesh: THREE.InstancedMesh; rim: THREE.InstancedMesh<THREE.BufferGeometry, THREE.ShaderMaterial>; bodies: number[] }
 
 export class Crowd {
   readonly group = new THREE.Group();
@@ -33,11 +35,12 @@ export class Crowd {
     for (const bodies of kinds.values()) {
       const { flat, make } = looks[bodies[0]];
       const material = new THREE.MeshLambertMaterial({ side: THREE.DoubleSide, transparent: flat, opacity: flat ? 0.4 : 1 });
-      const mesh = new THREE.InstancedMesh(make().faces, material, bodies.length);
-      mesh.frustumCulled = false;
+      const solid = make(), mesh = new THREE.InstancedMesh(solid.faces, material, bodies.length);
+      const rim = new THREE.InstancedMesh(solid.rim, rimMaterial(solid.rim !== solid.faces), bodies.length);
+      mesh.frustumCulled = rim.frustumCulled = rim.visible = false;
       mesh.userData.bodies = bodies;
-      this.batches.push({ mesh, bodies });
-      this.group.add(mesh);
+      this.batches.push({ mesh, rim, bodies });
+      this.group.add(mesh, rim);
     }
     this.paint();
   }
@@ -61,10 +64,25 @@ export class Crowd {
     this.special = special;
     this.repaint();
   }
+  /** Draws outlines round these bodies, where they are now, and round no others. */
+  outline(outlined: ReadonlySet<number>): void {
+    const matrix = new THREE.Matrix4();
+    for (const { mesh, rim, bodies } of this.batches) {
+      rim.count = 0;
+      bodies.forEach((body, i) => {
+        if (!outlined.has(body)) return;
+        mesh.getMatrixAt(i, matrix);
+        rim.setMatrixAt(rim.count++, matrix);
+      });
+      rim.visible = rim.count > 0;
+      rim.instanceMatrix.needsUpdate = true;
+    }
+  }
   /** Paints all bodies once more, in the colours of another theme. */
   repaint(): void {
     const shade = new THREE.Color();
-    for (const { mesh, bodies } of this.batches) {
+    for (const { mesh, rim, bodies } of this.batches) {
+      (rim.material.uniforms.shade.value as THREE.Color).set(color("touch"));
       bodies.forEach((body, i) => mesh.setColorAt(i, shade.set(color(this.special.get(body) ?? this.meanings[body]))));
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     }
@@ -74,11 +92,12 @@ export class Crowd {
     return first?.instanceId === undefined ? null : (first.object.userData.bodies as number[])[first.instanceId];
   }
   dispose(): void {
-    for (const { mesh } of this.batches) {
-      mesh.geometry.dispose();
-      (mesh.material as THREE.Material).dispose();
-      mesh.dispose();
-    }
+    for (const { mesh, rim } of this.batches)
+      for (const drawn of [mesh, rim]) {
+        drawn.geometry.dispose();
+        (drawn.material as THREE.Material).dispose();
+        drawn.dispose();
+      }
     this.group.clear();
     this.batches = [];
   }

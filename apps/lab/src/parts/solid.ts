@@ -8,6 +8,9 @@ import type { Shape, Vec } from "../question.ts";
 export interface Solid {
   faces: THREE.BufferGeometry;
   edges: THREE.BufferGeometry;
+  /** The geometry that, moved along its normals, shows as an outline: the faces of a solid, turned inside out; in the
+   *  plane the edges, twice each. */
+  rim: THREE.BufferGeometry;
 }
 
 /** The angle in radians below which faces that meet are the sampling of something smooth. */
@@ -27,6 +30,18 @@ function ribbon([fromX, fromY]: Vec, [toX, toY]: Vec, width: number): number[] {
   return [...a, ...b, ...c, ...a, ...c, ...d];
 }
 
+/** Edges of the plane as quads without a width, whose corners have the normals of the two sides of their edge. */
+function rims(edges: THREE.BufferGeometry): THREE.BufferGeometry {
+  const ends = Array.from(edges.getAttribute("position").array), corners: number[] = [], normals: number[] = [];
+  for (let i = 0; i < ends.length; i += 6) {
+    const from = ends.slice(i, i + 3), to = ends.slice(i + 3, i + 6);
+    const middle = ribbon(from, to, 0);
+    corners.push(...middle);
+    normals.push(...ribbon(from, to, 2).map((x, k) => x - middle[k]));
+  }
+  return geometry(corners).setAttribute("normal", new THREE.Float32BufferAttribute(normals, 3));
+}
+
 /** The faces and edges that `draw` draws, half-spaces as far as `size`. */
 export function solidDrawn(draw: (on: graze.Renderer) => void, size = reach): Solid {
   const faces: number[] = [], edges: number[] = [];
@@ -35,11 +50,12 @@ export function solidDrawn(draw: (on: graze.Renderer) => void, size = reach): So
     triangle: (a, b, c) => faces.push(...a, ...b, ...c),
     line: (from, to) => edges.push(...from, ...to),
   });
-  return { faces: toCreasedNormals(geometry(faces), crease), edges: geometry(edges) };
+  const made = toCreasedNormals(geometry(faces), crease);
+  return { faces: made, edges: geometry(edges), rim: made };
 }
 /** The faces and edges of a drawing of the plane. Lines without an area are as wide as a hundredth of `size`. */
 export function flatSolidDrawn(draw: (on: graze.Renderer) => void, size: number): Solid {
-  const solid = solidDrawn(draw, size);
+  const drawn = solidDrawn(draw, size), solid = { ...drawn, rim: rims(drawn.edges) };
   if (solid.faces.getAttribute("position").count > 0) return solid;
   const ends = Array.from(solid.edges.getAttribute("position").array), faces: number[] = [];
   for (let i = 0; i < ends.length; i += 6) faces.push(...ribbon(ends.slice(i, i + 3), ends.slice(i + 3, i + 6), size / 100));

@@ -18,8 +18,8 @@ import { Inquiry } from "../scene/inquiry.ts";
 import { captureLayers } from "../scene/layers.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
 import { firstShown, isShown, type Shown } from "../scene/moment.ts";
-import { askPair, drawContacts, drawPair, type AskedPair } from "../scene/pair.ts";
-import { bodiesOf, counted, keyOf, pairRows, partnersOf } from "../scene/pairs.ts";
+import { askPair, drawFound, drawPair, type AskedPair } from "../scene/pair.ts";
+import { bodiesOf, colored, counted, keyOf, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
 import { Run } from "../scene/run.ts";
 import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
 import { drawShot } from "../scene/shots.ts";
@@ -244,7 +244,8 @@ export class CaptureRoom implements Room {
     this.stage.hasGrid = this.layers.has("grid");
     this.stage.crowd.group.visible = this.layers.has("bodies");
     this.stage.crowd.move(poses, there);
-    this.stage.crowd.paint(new Map(this.selected.map((i, k) => [i, k ? "b" : "made"])));
+    this.stage.crowd.paint(colored(this.selected));
+    this.stage.crowd.outline(overlapping(this.layers.has("contacts") ? pairs : [], (i) => this.captured.bodies[i].moves, this.stage.seen));
     this.paint();
     this.counter.textContent = counted(there.size, pairs);
     this.pairs.show(pairRows(pairs, "Pairs in this frame", (i) => this.captured.bodies[i].name, this.selected, (bodies) => this.select(bodies)));
@@ -260,8 +261,7 @@ export class CaptureRoom implements Room {
   }
   private draw(d: Drawing): void {
     const { shot } = this.shooting;
-    const marks = { points: this.layers.has("contacts"), normals: this.layers.has("normals"), arrow: this.captured.size / 25 };
-    for (const pair of this.now.pairs) drawContacts(d, pair, marks);
+    drawFound(d, this.now.pairs, { selected: this.selected, draws: (layer) => this.layers.has(layer), seen: this.stage.seen });
     if (shot && this.whole && this.layers.has("shots")) drawShot(d, this.whole.run, shot, this.stage.seen);
     this.steps.draw(d, this.stage.seen);
     if (!this.asked) return;

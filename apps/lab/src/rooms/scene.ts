@@ -19,8 +19,8 @@ import type { Scene } from "../scene/model.ts";
 import { beginning, isMoment, isScene, movedBodies, packed, type Moment } from "../scene/moment.ts";
 import { sceneOfQuestion } from "../scene/open.ts";
 import { askPair, type AskedPair } from "../scene/pair.ts";
-import { bodiesOf, counted, pairRows, partnersOf } from "../scene/pairs.ts";
-import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, stagesOf, viewOf } from "../scene/picture.ts";
+import { bodiesOf, colored, counted, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
+import { crowdOf, drawOverlay, graphsOf, handlesOf, stagesOf, viewOf } from "../scene/picture.ts";
 import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { Settings } from "../scene/settings.ts";
@@ -85,7 +85,6 @@ export class SceneRoom implements Room {
     this.pairs.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
     this.stage.onCamera = () => this.still.call();
     this.element = this.page();
-    this.source.takeDrops(this.element);
     this.begun(values);
   }
   private begun(values: Record<string, string>): void {
@@ -110,6 +109,11 @@ export class SceneRoom implements Room {
     this.remember();
   }
 
+  /** Opens files that were dropped. */
+  openFiles(files: File[]): void {
+    this.expected = null;
+    void this.source.chosen(files);
+  }
   dispose(): void {
     this.still.cancel();
     this.source.unwatch();
@@ -252,7 +256,8 @@ export class SceneRoom implements Room {
   }
   private drag(id: string, to: Vec, done: boolean): void {
     const [i] = this.selected;
-    if (i === undefined || !dragBody(this.play, i, id, to, done)) return;
+    const handle = handlesOf(this.play, i, this.stage.seen).find((one) => one.id === id);
+    if (!handle || !dragBody(this.play, i, handle, to, done)) return;
     this.show();
     if (done && !this.play.run.played) this.remember();
   }
@@ -268,7 +273,8 @@ export class SceneRoom implements Room {
     this.chooser.show(this.selected);
     // Copying thousands of contacts out of the module takes longer than drawing the bodies.
     this.found = this.few ? run.contacts() : [];
-    this.stage.crowd.paint(marked(scene, this.found, run.played, this.selected, this.stage.seen));
+    this.stage.crowd.paint(colored(this.selected));
+    this.stage.crowd.outline(overlapping(this.layers.has("contacts") ? this.found : [], (i) => scene.bodies[i]?.moves, this.stage.seen));
     this.paint();
     this.drawTime = performance.now() - start;
     if (!running || energy.length % (this.few ? 6 : 30) === 0) this.tell();

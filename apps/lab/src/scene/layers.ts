@@ -6,7 +6,8 @@ const bodies: Layer = { id: "bodies", label: "Bodies", entries: [
   { meaning: "a", sign: "■", says: "moves" }, { meaning: "out", sign: "■", says: "stands" }, { meaning: "made", sign: "■", says: "selected, A" },
   { meaning: "b", sign: "■", says: "selected, B" }] };
 const contacts: Layer = { id: "contacts", label: "Contacts", entries: [
-  { meaning: "touch", sign: "●", says: "touches" }, { meaning: "axis", sign: "●", says: "nearly touches" }] };
+  { meaning: "touch", sign: "●", says: "touches" }, { meaning: "axis", sign: "●", says: "nearly touches" },
+  { meaning: "touch", sign: "□", says: "reaches into another" }] };
 const normals: Layer = { id: "normals", label: "Normals", entries: [{ meaning: "axis", sign: "→", says: "from A to B" }] };
 const pair: Layer = { id: "pair", label: "Selected pair", entries: [
   { meaning: "made", sign: "—", says: "feature of A" }, { meaning: "b", sign: "—", says: "feature of B" }, { meaning: "axis", sign: "┄", says: "distance" }] };
@@ -14,7 +15,7 @@ const pair: Layer = { id: "pair", label: "Selected pair", entries: [
 const shots: Layer = { id: "shots", label: "Rays and casts", entries: [{ meaning: "made", sign: "→", says: "way" }, { meaning: "touch", sign: "●", says: "hit" }] };
 
 export const sceneLayers: Layer[] = [
-  { ...bodies, entries: [...bodies.entries, { meaning: "trigger", sign: "■", says: "trigger" }, { meaning: "touch", sign: "■", says: "deep in another" }] },
+  { ...bodies, entries: [...bodies.entries, { meaning: "trigger", sign: "■", says: "trigger" }] },
   contacts, normals, pair,
   { id: "joints", label: "Joints", entries: [{ meaning: "ink", sign: "—", says: "to the anchors" }, { meaning: "touch", sign: "—", says: "gap" }] },
   shots,

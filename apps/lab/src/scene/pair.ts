@@ -74,17 +74,22 @@ export function drawPair(d: Drawing, run: Run, pair: AskedPair): void {
   d.text(scale(add(from, to), 0.5), digits(distance, 4), "axis");
 }
 
-/** The marks of contacts that are drawn. */
-export interface ContactMarks {
-  points: boolean;
-  normals: boolean;
-  /** The length of a normal. */
-  arrow: number;
+/** The state of a picture as far as contacts depend on it. */
+export interface Contacts {
+  selected: number[];
+  /** Whether a layer is drawn. */
+  draws: (layer: string) => boolean;
+  /** Half of the height that is seen. */
+  seen: number;
 }
-/** Draws the points of contact, each pair by the key of its row, and the normal from the middle of each manifold. */
-export function drawContacts(d: Drawing, pair: Pair, { points, normals, arrow }: ContactMarks): void {
-  for (const manifold of pair.manifolds)
-    drawManifold(d, manifold, {
-      size: 12 * arrow, look: { key: keyOf(pair) }, as: { normal: normals ? "axis" : null },
-      contact: (i) => (!points ? null : manifold.points[i].distance <= 0 ? "touch" : "axis") });
+/** Draws the points of contact, each pair by the key of its row, and the normal from the middle of each manifold; where
+ *  bodies are selected, only theirs. */
+export function drawFound(d: Drawing, pairs: Pair[], { selected, draws, seen }: Contacts): void {
+  for (const pair of pairs) {
+    const normals = draws("normals") && (selected.length === 0 || [pair.a, pair.b].some((body) => selected.includes(body)));
+    for (const manifold of pair.manifolds)
+      drawManifold(d, manifold, {
+        size: 1.2 * seen, look: { key: keyOf(pair) }, as: { normal: normals ? "axis" : null },
+        contact: (i) => (!draws("contacts") ? null : manifold.points[i].distance <= 0 ? "touch" : "axis") });
+  }
 }

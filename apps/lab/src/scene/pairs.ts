@@ -1,12 +1,20 @@
-// The pairs that touch, as a table: a row selects its two bodies.
+// The pairs that touch: the bodies that are marked, and a table whose rows select their two bodies.
 
+import type { Meaning } from "../parts/drawing.ts";
 import type { Numbers } from "../parts/table.ts";
 import type { Pair } from "./run.ts";
 
 const mostListed = 30;
+/** The depth from which on an overlap is seen, as a part of half of the height that is seen. */
+const visible = 1 / 4000;
 
 export const pointsOf = (pair: Pair): number => pair.manifolds.reduce((n, m) => n + m.points.length, 0);
 export const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
+/** The bodies that reach visibly into others, as far as they move. */
+export const overlapping = (pairs: Pair[], moves: (body: number) => boolean, seen: number): Set<number> =>
+  new Set(pairs.filter((pair) => deepest(pair) < -visible * seen).flatMap(({ a, b }) => [a, b]).filter(moves));
+/** The colours of the selected bodies, which all others keep theirs beside. */
+export const colored = (selected: number[]): Map<number, Meaning> => new Map(selected.map((body, i) => [body, i ? "b" : "made"]));
 /** The key by which a pair in the drawing lights up with its row. */
 export const keyOf = (pair: { a: number; b: number }): string => `${pair.a} ${pair.b}`;
 /** The bodies of such a key; none for another one. */

@@ -8,15 +8,12 @@ import { drawGraph } from "../parts/graph.ts";
 import { solidOf } from "../parts/solid.ts";
 import { add, length, rotate, scale, sub } from "../parts/vec.ts";
 import type { Vec } from "../question.ts";
+import { axes } from "./drag.ts";
 import type { Scene } from "./model.ts";
-import { drawContacts, drawPair, type AskedPair } from "./pair.ts";
-import { deepest } from "./pairs.ts";
+import { drawFound, drawPair, type AskedPair } from "./pair.ts";
 import type { Play } from "./play.ts";
 import { reachOf, type Pair, type Run, type Stages } from "./run.ts";
 import { drawShot, type Shot } from "./shots.ts";
-
-/** The depth from which on bodies are marked, as a part of the height that is seen. */
-const visible = 1 / 4000;
 
 /** A view of everything. */
 function whole(run: Run, scene: Scene): View {
@@ -28,7 +25,7 @@ function whole(run: Run, scene: Scene): View {
     upper = upper.map((x, k) => Math.max(x, bounds.upper[k]));
   }
   if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
-  return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.55) };
+  return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.47) };
 }
 /** The view of the stage when the scene is opened. */
 export const viewOf = (run: Run, scene: Scene): View => ({ ...(scene.view ?? whole(run, scene)), flat: run.flat });
@@ -39,16 +36,6 @@ export function crowdOf({ bodies }: Scene, flat: boolean, reach: number): [Looks
     bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, reach), flat: shape.type === "plane" || (trigger ?? false) })),
     bodies.map((b) => (b.trigger ? "trigger" : b.moves ? "a" : "out"))];
 }
-/** The bodies that look otherwise than usual: deep in another, while nothing is played, and selected. */
-export function marked(scene: Scene, found: Pair[], played: boolean, selected: number[], seen: number): Map<number, Meaning> {
-  const special = new Map<number, Meaning>();
-  for (const pair of played ? [] : found)
-    if (deepest(pair) < -visible * seen)
-      for (const i of [pair.a, pair.b]) if (scene.bodies[i]?.moves) special.set(i, "touch");
-  selected.forEach((i, k) => special.set(i, k ? "b" : "made"));
-  return special;
-}
-
 /** The things that are drawn on top of the bodies, among them `found`, pairs that touch. */
 export interface Overlay {
   found: Pair[];
@@ -61,26 +48,28 @@ export interface Overlay {
   /** Half of the height that is seen. */
   seen: number;
 }
-export function drawOverlay(d: Drawing, { run, pull }: Play, { found, selected, pair, shot, draws, seen }: Overlay): void {
-  for (const touching of found) {
-    const normals = draws("normals") && (selected.includes(touching.a) || selected.includes(touching.b));
-    drawContacts(d, touching, { points: draws("contacts"), normals, arrow: seen / 10 });
-  }
+export function drawOverlay(d: Drawing, play: Play, { found, selected, pair, shot, draws, seen }: Overlay): void {
+  const { run, pull } = play;
+  drawFound(d, found, { selected, draws, seen });
   if (draws("broad")) run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
   if (draws("joints")) run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
-  const [, other] = selected;
+  const [first, other] = selected;
+  for (const { id, at } of handlesOf(play, first, seen)) if (axes[id]) d.line(run.place(first).translation, at, "made", { ghost: true });
   if (pair && draws("pair")) drawPair(d, run, pair);
   if (other !== undefined) d.text(run.place(other).translation, "B", "b");
   if (pull) d.line(run.place(pull.body).translation, pull.to, "made", { wide: true });
   if (shot && draws("shots")) drawShot(d, run, shot, seen);
 }
-/** The handles by which the first selected body is moved and, while it stands still, turned. */
+/** The handles of the first selected body: it is moved freely and along the axes, and turned while it stands still. */
 export function handlesOf({ run, scene, pull, running }: Play, body: number | undefined, seen: number): Handle[] {
   if (body === undefined) return [];
-  const { translation, rotation } = run.place(body), { name, shape } = scene.bodies[body];
+  const { translation, rotation } = run.place(body), { name, shape } = scene.bodies[body], from = pull?.to ?? translation;
   const reach = shape.type === "plane" ? 1 : Math.min(seen, reachOf(run.bounds(body)) * 1.2 + seen / 20);
   const turn: Handle = { id: "turn", label: `Turn ${name}`, kind: "turn", meaning: "made", at: add(translation, scale(rotate(rotation, [1, 0, 0]), reach)) };
-  return [{ id: "move", label: `Move ${name}`, kind: "move", meaning: "made", sign: "A", at: pull?.to ?? translation }, ...(running ? [] : [turn])];
+  // Beyond the handle that turns the body, which may lie on an axis, there is room for another.
+  const along = Object.entries(axes).slice(0, run.flat ? 2 : 3).map(([id, axis]): Handle =>
+    ({ id, label: `Move ${name} along ${id}`, kind: "move", meaning: "made", sign: id, at: add(from, scale(axis, reach + seen / 5)) }));
+  return [{ id: "move", label: `Move ${name}`, kind: "move", meaning: "made", sign: "A", at: from }, ...along, ...(running ? [] : [turn])];
 }
 /** The time of a step by its parts: "collide 1.2, prepare 0.1, solve 2". */
 export function stagesOf({ collideMs, prepareMs, solveMs, continuousMs }: Stages): string {

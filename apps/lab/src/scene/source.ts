@@ -34,14 +34,6 @@ export class Source {
       onchange: () => void this.chosen([...(field.files ?? [])]) }) as HTMLInputElement;
     this.elements = [button("Open a file", () => field.click()), field];
   }
-  /** Opens files that are dropped on the element. */
-  takeDrops(element: HTMLElement): void {
-    element.addEventListener("dragover", (event) => event.preventDefault());
-    element.addEventListener("drop", (event) => {
-      event.preventDefault();
-      void this.chosen([...(event.dataTransfer?.files ?? [])]);
-    });
-  }
   /** The path of the served file. */
   get served(): string | null {
     return this.served_?.path ?? null;
@@ -60,7 +52,7 @@ export class Source {
     return served;
   }
   /** Reads a scene, and with it the files of its buffers. */
-  private async chosen(files: File[]): Promise<void> {
+  async chosen(files: File[]): Promise<void> {
     const scene = files.find((file) => kindOf(file) !== "bin") ?? files[0];
     if (!scene) return;
     this.unwatch();

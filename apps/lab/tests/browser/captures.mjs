@@ -5,7 +5,7 @@ import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { beyond, drawn, files, press, scene, showsAxis } from "./scene-page.mjs";
+import { beyond, drawn, files, looks, press, scene, showsAxis } from "./scene-page.mjs";
 import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
 /** Fifteen boxes that fall into a heap: two seconds, as a program captures them, which names the floor; and how many
@@ -47,6 +47,15 @@ test("viewer: opens a capture, and scrubs through it", async () => {
   assert.equal(later.frame, 90);
   assert.ok(later.pairs > 10, `${later.pairs} pairs`);
   assert.ok((await page.textContent(".counter")).startsWith(`16 bodies · ${later.pairs} pairs`));
+  // Where boxes fall into each other they have outlines, and all keep their colours.
+  const deep = await page.evaluate(() => {
+    const { captured, stage } = window.lab, depths = captured.frames.map((frame) => frame.deepest);
+    window.lab.go(depths.indexOf(Math.max(...depths)));
+    const reach = (pair) => pair.manifolds.some((m) => m.points.some((p) => p.distance < -stage.seen / 4000));
+    return [...new Set(window.lab.now.pairs.filter(reach).flatMap(({ a, b }) => [a, b]))].filter((i) => captured.bodies[i].moves).sort((i, j) => i - j);
+  });
+  assert.ok(deep.length > 0, "no box is seen to reach into another");
+  assert.deepEqual(await looks(page), { colors: ["out", ...Array(15).fill("a")], outlined: deep });
   await page.click('[aria-label="Last frame"]');
   assert.ok(await page.isDisabled("[data-next]"), "there is a frame after the last");
   await page.click('nav a:text-is("Lessons")');

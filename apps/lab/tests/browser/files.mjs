@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { files, lightsUp, press, scene } from "./scene-page.mjs";
-import { drag, query, shown, test } from "./harness.mjs";
+import { drawn, files, lightsUp, looks, press, scene } from "./scene-page.mjs";
+import { drag, frame, graze, query, shown, test, visit } from "./harness.mjs";
 
 test("viewer: opens the project's scenes, and says what is wrong with a broken file", async () => {
   const page = await scene("shapes");
@@ -34,6 +34,71 @@ test("viewer: opens the project's scenes, and says what is wrong with a broken f
     ["nan.jsonl", '{"query":"overlap","a":{"shape":{"type":"sphere","sphere":{"radius":-1}}},"b":{"shape":{"type":"box"}}}']]) {
     await open(text(name, content));
     assert.ok((await page.textContent(".trouble:not([hidden])")).includes(name.replace("nan.jsonl", "question")), name);
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("files are dropped on any page: on a lesson, which the way back leads to, on a capture, and on a scene", async () => {
+  const page = await visit("#/lesson/gjk");
+  /** Drops a file on the head of the page, as a browser does that would open it otherwise. */
+  const drop = (name, bytes) => page.evaluate(([name, bytes]) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([Uint8Array.from(bytes)], name));
+    const event = new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true });
+    document.querySelector("header.top").dispatchEvent(event);
+    return event.defaultPrevented;
+  }, [name, [...bytes]]);
+  const triangle = Buffer.from("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  assert.ok(await drop("one.obj", triangle));
+  await page.waitForFunction(() => window.lab.shown?.bodies === 1);
+  assert.equal(await page.textContent("[aria-current]:not(.brand)"), "Viewer");
+  await page.goBack();
+  await page.waitForFunction(() => window.lab.lesson?.id === "gjk");
+  const frames = [], world = new graze.World({ capture: (part) => frames.push(part) });
+  const shape = new graze.Sphere(1);
+  world.add({ shape });
+  world.update();
+  world.dispose();
+  shape.dispose();
+  assert.ok(await drop("one.capture", Buffer.concat(frames)));
+  await page.waitForFunction(() => window.lab.shown?.frames === 1);
+  assert.ok(await drop("one.obj", triangle));
+  await page.waitForFunction(() => window.lab.shown?.bodies === 1 && window.lab.play);
+  assert.ok(await drop("bad.obj", Buffer.from("v x\n")));
+  await page.waitForSelector(".trouble:not([hidden])");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: what touches keeps its colour and has an outline, points and normals; the selected pair alone is painted", async () => {
+  const page = await scene("shapes");
+  for (const [file, moving] of [["demo.gltf", 14], ["plane.svg", 9]]) {
+    await page.setInputFiles("input[type=file]", join(files, file));
+    await page.waitForFunction((name) => document.querySelector("[data-file]")?.textContent === name, file);
+    await frame(page);
+    const { colors, outlined } = await looks(page);
+    assert.equal(colors.filter((color) => color === "a").length, moving, file);
+    assert.ok(!colors.includes("touch") && !colors.includes("made") && !colors.includes("b"), `${file}: ${colors}`);
+    const { deep, manifolds, points } = await page.evaluate(() => {
+      const { found, play, stage } = window.lab, deep = new Set(), all = found.flatMap((pair) => pair.manifolds);
+      for (const { a, b, manifolds } of found)
+        if (manifolds.some((m) => m.points.some((p) => p.distance < -stage.seen / 4000))) for (const i of [a, b]) if (play.scene.bodies[i].moves) deep.add(i);
+      return { deep: [...deep].sort((i, j) => i - j), manifolds: all.length, points: all.flatMap((m) => m.points).length };
+    });
+    assert.ok(deep.length > 3);
+    assert.deepEqual(outlined, deep, file);
+    const picture = await drawn(page);
+    assert.deepEqual([picture.points.length, picture.lines.length], [points, manifolds], file);
+    const [a, b] = deep;
+    await page.evaluate((pair) => window.lab.select(pair), [a, b]);
+    const now = await looks(page);
+    assert.deepEqual(now.colors, colors.map((color, i) => (i === a ? "made" : i === b ? "b" : color)), file);
+    assert.deepEqual(now.outlined, deep, file);
+    const contacts = (on) => page.evaluate(() => (document.querySelector(".legend").open = true)).then(() => page.setChecked('[data-layer="contacts"]', on));
+    await contacts(false);
+    assert.deepEqual((await looks(page)).outlined, [], "outlines without contacts");
+    await contacts(true);
   }
   assert.deepEqual(page.trouble, []);
   await page.context().close();

@@ -68,3 +68,22 @@ export function showsCut({ lines, points }, { cuts, faces }) {
   for (const edge of edges) assert.ok(lines.some((line) => edge.every((end, i) => same(end, line[i]))), `no line ${edge}`);
   for (const corner of left) assert.ok(points.some((point) => same(corner, point)), `no point ${corner}`);
 }
+/** The colours of the bodies, by what they mean, and the numbers of those with an outline. */
+export const looks = (page) =>
+  page.evaluate(() => {
+    const style = getComputedStyle(document.documentElement), linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+    const meanings = ["a", "b", "made", "out", "trigger", "touch"].map((name) => {
+      const hex = parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16);
+      return { name, rgb: [16, 8, 0].map((shift) => linear(((hex >> shift) & 255) / 255)) };
+    });
+    const colors = [], outlined = [], part = ({ array }, i, size) => [...array.slice(i * size, (i + 1) * size)];
+    for (const { mesh, rim, bodies } of window.lab.stage.crowd.batches) {
+      const around = rim.visible ? Array.from({ length: rim.count }, (_, i) => String(part(rim.instanceMatrix, i, 16))) : [];
+      bodies.forEach((body, i) => {
+        const shade = part(mesh.instanceColor, i, 3);
+        colors[body] = meanings.find(({ rgb }) => rgb.every((c, k) => Math.abs(c - shade[k]) < 1e-4))?.name;
+        if (around.includes(String(part(mesh.instanceMatrix, i, 16)))) outlined.push(body);
+      });
+    }
+    return { colors, outlined: outlined.sort((i, j) => i - j) };
+  });

@@ -32,6 +32,35 @@ test("viewer: contacts are live while a body is dragged, and the pair is explain
   await page.context().close();
 });
 
+test("viewer: a body is moved along one axis alone, by the mouse and by keys, and pulled along it while the scene is played", async () => {
+  const page = await scene("heavy");
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  const place = async () => (await shown(page)).poses.slice(7, 10);
+  for (const [k, axis] of ["X", "Y", "Z"].entries()) {
+    const from = await place();
+    await drag(page, axis, 40, -50);
+    await page.focus(`[data-handle="${axis}"]`);
+    await page.keyboard.press(["ArrowRight", "ArrowUp", "PageDown"][k]);
+    await frame(page);
+    const to = await place();
+    assert.ok(Math.abs(to[k] - from[k]) > 0.02, `${axis}: ${from} to ${to}`);
+    assert.deepEqual(to.filter((_, i) => i !== k), from.filter((_, i) => i !== k), axis);
+  }
+  const pull = await page.evaluate(() => {
+    const { play, stage } = window.lab, from = play.run.place(1).translation;
+    play.toggle();
+    window.lab.show();
+    const { at } = stage.last.handles.find(({ id }) => id === "Y");
+    window.lab.drag("Y", [at[0] + 3, at[1] + 1, at[2] - 2], false);
+    const { to } = play.pull;
+    play.stop();
+    return to.map((x, i) => x - from[i]);
+  });
+  assert.ok(Math.abs(pull[0]) + Math.abs(pull[2]) < 1e-12 && Math.abs(pull[1] - 1) < 1e-12, String(pull));
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("viewer: its address holds bodies, selection and settings; undo and redo take them back and forth", async () => {
   const page = await scene("heavy");
   const start = await shown(page);
