@@ -27,6 +27,7 @@ export class Stage2 implements Stage, Drawing {
   private moved = false;
   private size: [number, number] = [600, 480];
   private layers: SVGElement[] = [];
+  private behind: { of: string; drawn: SVGElement[] } = { of: "", drawn: [] };
   private texts: { at: Vec; text: string; meaning: Meaning; from?: Vec }[] = [];
   /** The pixels of the points that are drawn, and their radii. */
   private dots: { at: [number, number]; radius: number }[] = [];
@@ -122,7 +123,7 @@ export class Stage2 implements Stage, Drawing {
     this.dots = [];
     this.wide = [];
     paint(this);
-    this.picture.replaceChildren(hatches(), this.grid(), ...this.layers);
+    this.picture.replaceChildren(...this.background(), ...this.layers);
     this.handles.show(handles);
     this.placeTexts();
     this.light(this.lit);
@@ -138,6 +139,12 @@ export class Stage2 implements Stage, Drawing {
     }
   }
 
+  /** The hatches and the grid, which are made anew only when the camera or the size of the stage has changed. */
+  private background(): SVGElement[] {
+    const of = JSON.stringify([this.view, this.size]);
+    if (this.behind.of !== of) this.behind = { of, drawn: [hatches(), this.grid()] };
+    return this.behind.drawn;
+  }
   private grid(): SVGElement {
     const group = svg("g", { class: "grid", "aria-hidden": "true" });
     const step = roundStep(2 * this.view.reach);

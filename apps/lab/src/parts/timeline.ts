@@ -59,8 +59,10 @@ export class Timeline {
   }
 
   show(at: number, count: number): void {
+    const to = Math.max(0, Math.min(at, count - 1));
+    if (to === this.at && count === this.count && this.where.textContent) return; // as in most frames of a drag
     this.count = count;
-    this.at = Math.max(0, Math.min(at, count - 1));
+    this.at = to;
     this.scrub.max = String(count - 1);
     this.scrub.value = String(this.at);
     this.where.textContent = `${this.at + 1} / ${count}`;

@@ -86,7 +86,8 @@ export class LessonRoom implements Room {
     this.show();
     this.remember();
   }
-  /** Draws once a frame, however many moves of the pointer there were; the address follows when it is let go. */
+  /** Draws once a frame, however many moves of the pointer there were; the programs and the address follow when it is let
+   *  go. */
   private change(state: State, done: boolean): void {
     this.state = state;
     if (done) this.history.push(state);
@@ -162,18 +163,18 @@ export class LessonRoom implements Room {
     this.look();
     this.paint();
     this.choices.show(this.state);
-    this.showCode();
+    if (this.settled) this.showCode();
   }
   private paint(): void {
     const step = this.steps[this.step];
     this.timeline.show(this.step, this.steps.length);
     const formulas = (step.formula ?? []).map((text) => formula(text));
     this.words.replaceChildren(h("h2", {}, step.title), h("p", {}, step.text), ...formulas);
-    formulas.forEach(fit);
     this.table.show(step.numbers);
     this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
     const handles = this.lesson.handles(this.state).filter(({ id, named }) => !named || step.handles?.includes(id));
     this.stage.draw((drawing) => step.draw(drawing), handles, step.says);
+    formulas.forEach(fit); // last, so that the page is laid out once a frame
   }
 
   private page(): HTMLElement {
@@ -215,10 +216,12 @@ export class LessonRoom implements Room {
   private showCode(): void {
     const question = this.question();
     const programs = this.lesson.code?.(this.state).programs ?? (question ? codeOf(question) : {});
-    const shown = (name: string, text: string, open = false): HTMLElement =>
-      h("details", { open }, h("summary", {}, name), h("pre", { tabindex: 0 }, h("code", {}, text)));
+    const open = new Set([...this.code.querySelectorAll("details[open] > summary")].map((summary) => summary.textContent));
+    if (!this.code.firstChild) open.add("JavaScript");
+    const shown = (name: string, text: string): HTMLElement =>
+      h("details", { open: open.has(name) }, h("summary", {}, name), h("pre", { tabindex: 0 }, h("code", {}, text)));
     this.code.replaceChildren(
-      ...Object.entries(programs).map(([language, text]) => shown(language, text, language === "JavaScript")),
+      ...Object.entries(programs).map(([language, text]) => shown(language, text)),
       ...(question ? [shown("A line for graze query", line(question))] : []));
     this.copyQuestion.hidden = !question;
   }

@@ -40,6 +40,27 @@ test("programs: a lesson without a question of the protocol offers none to copy"
   }
 });
 
+test("programs: those that were opened stay open, and have the numbers of a drag once it has ended", async () => {
+  const page = await visit("#/lesson/gjk");
+  await page.click('.code summary:text-is("C++")');
+  await page.click('.code summary:text-is("JavaScript")');
+  const open = () => page.$$eval(".code details[open]", (list) => list.map((x) => x.textContent)), before = await open();
+  assert.equal(before.length, 1);
+  assert.ok(before[0].startsWith("C++"));
+  await page.evaluate(() => scrollTo(0, 0));
+  await drag(page, "move-b", 30, 20);
+  const after = await open();
+  assert.equal(after.length, 1);
+  assert.ok(after[0].startsWith("C++") && after[0] !== before[0], "the program has the old numbers");
+  const during = await page.evaluate(() => {
+    const { q } = window.lab.state;
+    window.lab.change({ ...window.lab.state, q: { ...q, b: { ...q.b, translation: [3, 2] } } }, false);
+    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(document.querySelector(".code details[open]").textContent))));
+  });
+  assert.equal(during, after[0], "the programs are written anew in every frame of a drag");
+  await page.context().close();
+});
+
 test("resolution: impulse and approach are the library's to the last digit", async () => {
   const page = await visit("#/lesson/resolution");
   for (const example of [null, ...(await page.$$(".example"))]) {
