@@ -91,7 +91,7 @@ function given(state: State, base: (d: Drawing) => void): Step {
     title: by === "point" ? "By a normal and a point" : "By a normal and a distance",
     text: (by === "point" ? "Every point x of the plane has the same scalar product with n as the given point p has: that product is w. Drag the point and the normal. "
       : "w says how far the plane is from the origin O, along n. Drag the foot of the way to change w, and the normal to turn the plane about O. ") +
-      "Three points say the same: see the buttons above the picture. Whatever it was given by, the plane is n and w from here on.",
+      "Three points say the same: see the buttons beside the picture. Whatever it was given by, the plane is n and w from here on.",
     formula: by === "point" ? ["w = n*p", `w = ${row(n)} * ${row(state.q.a.translation ?? [0, 0, 0])} = ${digits(w, 4)}`] : ["n*x = w", `n = ${row(n)}`, `w = ${digits(w, 4)}`],
     says: `A plane with normal ${vector(n, 3)}, ${digits(w, 4)} from the origin, and a box.`,
     draw(d) {

@@ -1,5 +1,5 @@
-// The buttons above a lesson's drawing: one of several values, and the bits of a number. They are made once, so that the
-// focus and a row that was pushed aside stay where they are when the state changes.
+// The buttons beside a lesson's drawing: one of several values, and the bits of a number. They are made once, so that
+// the focus and a row that was pushed aside stay where they are when the state changes.
 
 import { h } from "./dom.ts";
 import type { State } from "../question.ts";

@@ -1,5 +1,5 @@
-// Many bodies, drawn together: one instanced mesh for each shape, whose matrices alone change from frame to frame, and one
-// for the outlines of those that have one.
+// Many bodies, drawn together: one instanced mesh for each shape, whose matrices alone change from frame to frame, and
+// one for the outlines of those that have one.
 
 import * as THREE from "three";
 import { rimMaterial } from "./rim.ts";

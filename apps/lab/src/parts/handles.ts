@@ -61,7 +61,8 @@ export class Handles {
 
   /** Keeps labels off the handles. */
   keepFree(places: LabelPlaces): void {
-    for (const handle of this.handles) places.keep(this.projection.toScreen(handle.at), 16); // as the style sheet has it
+    const half = 16; // as the style sheet has it
+    for (const handle of this.handles) places.keep(this.projection.toScreen(handle.at), half);
   }
 
   private at(id: string): Vec {

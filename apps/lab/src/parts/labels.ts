@@ -38,8 +38,8 @@ export class LabelPlaces {
     for (let i = 0; i <= count; i++) this.keep([from[0] + (along[0] * i) / (count || 1), from[1] + (along[1] * i) / (count || 1)], half);
   }
   /** The box of a label at a point: the first place in the stage where nothing lies, or else that which hides least.
-   *  The label of a point outside the stage stays with it, unseen. Beside the end of a line that comes from elsewhere the
-   *  sides are tried first that are furthest from the line. */
+   *  The label of a point outside the stage stays with it, unseen. Beside the end of a line that comes `from` elsewhere
+   *  those sides are tried first that are furthest from the line. */
   place([x, y]: [number, number], text: string, from: [number, number] = [x, y]): Box {
     const { stage } = this, seen = overlap(around(x, y, 0.5), stage) > 0, width = widthOf(text);
     const onwards = ([toRight, down]: number[]): number => ((x - from[0]) * toRight + (y - from[1]) * down) / Math.hypot(toRight, down);

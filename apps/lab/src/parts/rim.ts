@@ -1,11 +1,11 @@
-// The outlines of bodies: their back faces, moved outwards by some pixels, so that what is seen of them surrounds a body.
-// The colour of the body itself says something else.
+// The outlines of bodies, whose own colours say something else: their back faces, moved outwards by some pixels, so
+// that what is seen of them surrounds a body.
 
 import * as THREE from "three";
 
 /** The width of an outline in pixels, of which in the plane one half lies inside. */
 const width = 2.5;
-/** The part of the way to the eye by which an outline comes nearer, so that what the body stands on does not hide it. */
+/** The part of the way to the eye by which an outline comes nearer: what the body stands on does not hide it then. */
 const nearer = 0.01;
 
 const vertexShader = `

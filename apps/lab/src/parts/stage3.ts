@@ -322,7 +322,7 @@ export class Stage3 implements Stage, Drawing {
   private axes(): void {
     if (!this.hasGrid) return;
     const grid = new THREE.GridHelper(this.reach * 8, 16, color("grid"), color("grid")), lines = grid.material as THREE.Material;
-    // Lines through bodies that cross the ground would look like edges: they are drawn first, and everything hides them.
+    // Lines through bodies that cross the ground would look like edges: they are drawn first, and all else hides them.
     lines.depthTest = lines.depthWrite = false;
     grid.renderOrder = -1;
     grid.userData.own = true;

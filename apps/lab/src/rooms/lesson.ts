@@ -86,8 +86,8 @@ export class LessonRoom implements Room {
     this.show();
     this.remember();
   }
-  /** Draws once a frame, however many moves of the pointer there were; the programs and the address follow when it is let
-   *  go. */
+  /** Draws once a frame, however many moves of the pointer there were; the programs and the address follow when it is
+   *  let go. */
   private change(state: State, done: boolean): void {
     this.state = state;
     if (done) this.history.push(state);

@@ -9,8 +9,8 @@ import type { Place } from "./run.ts";
 /** The directions in which the handles of a body move it, by their names. */
 export const axes: Record<string, Vec> = { X: [1, 0, 0], Y: [0, 1, 0], Z: [0, 0, 1] };
 
-/** Moves or turns a body by a handle that was dragged to a place; while the scene is played a spring pulls one that moves,
- *  until the drag is `done`. Returns whether the body was put somewhere. */
+/** Moves or turns a body by a handle that was dragged to a place; while the scene is played a spring pulls one that
+ *  moves, until the drag is `done`. Returns whether the body was put somewhere. */
 export function dragBody(play: Play, number: number, { id, at }: Handle, to: Vec, done: boolean): boolean {
   const { run, scene } = play, body = scene.bodies[number], place = run.place(number);
   const by = sub(run.flat ? [to[0], to[1], 0] : to, at), along = axes[id];

@@ -127,7 +127,8 @@ export const numbers = (page) =>
 export const bareColumns = (page) =>
   page.$$eval("thead tr > *", (list) => list.filter((cell) => cell.tagName !== "TH" || !cell.textContent.trim()).map((cell) => cell.closest("table").caption.textContent));
 
-/** Labels of the drawing that are cut, lie on another one, on a wide line, or below a handle; and handles outside of it. */
+/** Labels of the drawing that are cut, lie on another one, on a wide line, or below a handle; and handles outside of
+ *  it. */
 export async function unseen(page) {
   await frame(page);
   return page.evaluate(() => {
