@@ -23,15 +23,16 @@ struct ExplainArguments {
   std::vector<double> direction{1, 0.6, 1.4};
 };
 
+bool reads_standard_input(const ExplainArguments& options) { return options.file.empty() || options.file == "-"; }
 std::string source_of(const ExplainArguments& options) {
-  return options.file.empty() || options.file == "-" ? "standard input" : options.file;
+  return reads_standard_input(options) ? "standard input" : options.file;
 }
 
 /// The line of the question, counted from 1 among those that are not blank.
 std::string question_line(const ExplainArguments& options) {
   const std::size_t wanted = checked_count("--line", options.line);
   std::ifstream file;
-  const bool standard = options.file.empty() || options.file == "-";
+  const bool standard = reads_standard_input(options);
   const std::string name = source_of(options);
   if (!standard) file = io::open_file(options.file);
   std::istream& in = standard ? std::cin : file;

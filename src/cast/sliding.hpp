@@ -1,9 +1,9 @@
 // The distinction of shapes in contact that press against each other from those that slide along each other.
 //
-// Guarantee: shapes slide from one time to another only when a plane shows it, and not one that leads over a seam of the
-// surface that a shape is a triangle of (`cast/surface_seams.hpp`): one along which they overlap, at both
-// times, by no more than they may sink. Shapes that pass through each other have no such plane, however thin they are:
-// the depth to which they may sink is a part of their widths across the plane, and so leaves no way to its other side.
+// Guarantee: shapes slide from one time to another only when a plane shows it: one along which they overlap, at both
+// times, by no more than they may sink, and which leads over no seam of the surface that a shape is a triangle of
+// (`cast/surface_seams.hpp`). Shapes that pass through each other have no such plane, however thin they are: the depth
+// to which they may sink is a part of their widths across the plane, and so leaves no way to its other side.
 #pragma once
 
 #include "cast/surface_seams.hpp"

@@ -22,7 +22,7 @@ inline constexpr double over_edge = 1e-6;
 class SurfaceSeams {
  public:
   SurfaceSeams() = default;
-  /// Those of a triangle by its number. A sliver without a plane of its own has none.
+  /// The seams of a triangle by its number. A sliver without a plane of its own has none.
   template <class Data>
   SurfaceSeams(const Data& data, std::uint32_t number) {
     const std::array<Vec3d, 3> own = corners(data, number);

@@ -118,7 +118,7 @@ class Advancement {
         // The distance of convex shapes is a convex function of a translation: one that does not fall never will.
         const bool over = still() && separation.opening() >= 0;
         if (over && !before) return std::nullopt;
-        // What comes over a seam is as deep in the triangle before it.
+        // A body that comes over a seam is as deep in the triangle before it.
         if (i == 0 || (over_seam && !before)) sliding_along.start(impact);
         const double sink = sliding_along.may_sink(impact.normal, a, b), floor = sliding_along.base() - sink;
         if (impact.distance < floor) return pressing ? pressing : impact;
@@ -269,7 +269,7 @@ class Advancement {
                          length(motion_.b.angular) * within_reach(turning_radius_b_);
     return separation.closing(sliding<T>) > sliding<T> * speed;
   }
-  /// Of a half-space only what the other shape may meet counts; of two nothing does.
+  /// The turning radius or, of a half-space, that of the part which the other shape may meet; zero of two of them.
   double within_reach(double radius) const { return radius < infinity ? radius : away_ < infinity ? away_ : 0; }
 
   Impact at(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {

@@ -17,19 +17,13 @@ struct NumberedPiece {
   Piece<T> piece;
   std::uint32_t number = 0;
   bool outermost = true;
-  bool of_solid = false;              ///< a triangle of a solid mesh
   const Shape<T>* surface = nullptr;  ///< the mesh or height field of which it is a triangle
   std::uint32_t in_surface = 0;       ///< its number there
 
   NumberedPiece child(const Shape<T>& shape, const Pose<T>& local, std::uint32_t its_number) const {
-    const auto* mesh = piece.shape.template as<Mesh<T>>();
-    const bool surface_piece = mesh || piece.shape.template as<HeightField<T>>();
-    return {Piece<T>(shape, in_double(local)),
-            outermost ? its_number : number,
-            false,
-            mesh && mesh->solid(),
-            surface_piece ? &piece.shape : nullptr,
-            its_number};
+    const bool is_surface = piece.shape.template as<Mesh<T>>() || piece.shape.template as<HeightField<T>>();
+    return {Piece<T>(shape, in_double(local)), outermost ? its_number : number, false,
+            is_surface ? &piece.shape : nullptr, its_number};
   }
 };
 

@@ -19,7 +19,8 @@ namespace graze::plane {
 /// and the piece that it meets; as between solids (`composite/internal_edges`).
 inline constexpr double seam_step = 4e-4;
 
-/// The convex pieces of the ground near a body that moves: those of a body, if it is a compound, and of bodies around it.
+/// The convex pieces of the ground near a body that moves: those of a body, if it is a compound, and of bodies around
+/// it.
 template <class T>
 class Ground {
  public:

@@ -9,7 +9,8 @@
 
 namespace graze::plane {
 
-/// The sine from which on a normal leads over a vertex. Vertices rounded to float turn a segment by some ten-millionths.
+/// The sine from which on a normal leads over a vertex. Vertices rounded to float turn a segment by some
+/// ten-millionths.
 inline constexpr double over_vertex = 1e-6;
 
 /// Whether a unit vector in a segment's frame leads over its end into the next segment of its chain.
@@ -26,8 +27,8 @@ bool leads_over_seam(const Core<T>& segment, const Vec2d& n) {
          (end.kind != Kind::last && over(along, end.leaving));
 }
 
-/// Where pieces touch along a normal that leads over a seam of a chain, takes the normal of the segment instead, on the
-/// side on which the middle of the other piece is. `near`: the gap that counts as touching.
+/// Replaces a normal that leads over a seam of a chain, along which pieces touch, by that of the segment, on the side
+/// on which the middle of the other piece is. `near`: the gap that counts as touching.
 template <class T>
 void keep_off_seams(const Mover<T>& a, const Mover<T>& b, double near, Nearby& now) {
   if (now.gap > near) return;

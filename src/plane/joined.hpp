@@ -73,7 +73,7 @@ class Joined {
   /// A second visit, to pairs that overlap where no pair gave contacts: lines that cross, and ends that reach through a
   /// corner, leave no normal that is the outline's. The deepest pair then stands in, as it is without its neighbours.
   void stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found);
-  /// Ends a visit. Returns whether there are contacts. What is far deeper than what it would replace is
+  /// Ends a visit. Returns whether there are contacts. A stand-in far deeper than what it replaces is
   /// left out unless `stands_in()`.
   template <class StandsIn>
   bool finish(const StandsIn& stands_in) {

@@ -2,7 +2,8 @@
 //
 // Guarantee: `Separating::ignored` of `graze/motion.hpp`. Pieces slide as long as their signed distance, which for
 // convex pieces is the gap along the plane that keeps them furthest apart, stays above what it was at the start less
-// what they may sink; where that plane leads over a seam of a chain, the gap along the segment's normal counts; that is a part of the way to the middle of each other, so nothing passes through by sliding.
+// what they may sink; that is a part of the way to the middle of each other, so nothing passes through by sliding.
+// Where that plane leads over a seam of a chain, the gap along the segment's normal counts instead.
 #pragma once
 
 #include "plane/advance.hpp"

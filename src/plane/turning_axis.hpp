@@ -79,7 +79,8 @@ ApartUntil apart_along(const Mover<T>& x, const Mover<T>& y, const Pose2d& pose_
   return {t + span, closes};
 }
 
-/// As `apart_along`, for a piece Y that may be curved, by the most that its turning against the axis adds to its reach.
+/// The time of `apart_along` for a piece Y that may be curved: by the most that its turning against the axis adds to
+/// its reach.
 template <class T>
 ApartUntil apart_along_by_reach(const Mover<T>& x, const Mover<T>& y, const Pose2d& pose_y, const Vec2d& n, double way,
                                 double t, double until) {

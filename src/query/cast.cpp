@@ -99,7 +99,8 @@ std::size_t stretches(const Asked<T>& asked) {
 /// vector of the world that leads away from it. A sliver, whose normal is mere rounding, counts as met from without.
 template <class T>
 bool met_from_within(const NumberedPiece<T>& numbered, const Quatd& rotation, const Vec3d& outward) {
-  const auto* triangle = numbered.of_solid ? numbered.piece.shape.template as<Triangle<T>>() : nullptr;
+  const auto* mesh = numbered.surface ? numbered.surface->template as<Mesh<T>>() : nullptr;
+  const auto* triangle = mesh && mesh->solid() ? numbered.piece.shape.template as<Triangle<T>>() : nullptr;
   if (!triangle) return false;
   const Vec3d u = converted<double>(triangle->point(1) - triangle->point(0)),
               v = converted<double>(triangle->point(2) - triangle->point(0));

@@ -1,7 +1,7 @@
 // Compounds within compounds, in space and in the plane.
 //
-// Guarantee: no compound holds more than `most_nested` within each other, however deep they are nested: what lies deeper
-// is taken apart. Queries call themselves for every compound within another, so that bounds what they need of the stack.
+// Guarantee: no compound holds more than `most_nested` within each other, however deep they are nested: what lies
+// deeper is taken apart. Queries call themselves for every compound within another, so that bounds their need of stack.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ void take_apart(const Compound& compound, const Pose& pose, std::vector<Placed>&
   }
 }
 
-/// The nesting of a child of a compound. One that is as deep as allowed already is replaced by a compound of its leaves.
+/// The nesting of a child of a compound. A child as deep as allowed already is replaced by a compound of its leaves.
 /// Throws `InvalidValue` below `path` where these are too many or lie too far away.
 template <class Compound, class Placed>
 Nesting bounded_nesting(Placed& child, const std::string& path) {

@@ -121,7 +121,8 @@ std::vector<Shape<T>> level_floors() {
   return {Mesh<T>(points, triangles), HeightField<T>(n, n, std::vector<T>(n * n, T(0)), T(1), T(1))};
 }
 
-/// Each triangle beside a seam leaves a thin body that stands in the plane of that seam to one side; the floor does not.
+/// Each triangle beside a seam leaves a thin body that stands in the plane of that seam to one side; the floor does
+/// not.
 TYPED_TEST(CastComposites, ThinBodiesDoNotSlideIntoSeams) {
   using T = TypeParam;
   const Shape<T> thin[] = {LineSegment<T>({0, T(-0.5), 0}, {0, T(0.5), 0}),
