@@ -15,11 +15,12 @@ namespace graze {
 
 namespace detail {
 
-/// A point across the normal, and which of the manifold's it is.
+/// A point across the normal, which of the manifold's it is, and its distance along the normal.
 template <class T>
 struct FlatPoint {
   T x, y;
   std::size_t index;
+  T distance;
 };
 
 template <class T>
@@ -31,23 +32,86 @@ T turn(const FlatPoint<T>& a, const FlatPoint<T>& b, const FlatPoint<T>& c) {
 template <class T>
 using FlatPoints = SmallVector<FlatPoint<T>, 16>;
 
-/// The corners of the convex hull, counter-clockwise; what is within `noise` (an area) of an edge is no corner.
-/// Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions".
+/// Measures how far points are to the right of the line from `a` to `b`, which are apart.
 template <class T>
-FlatPoints<T> hull_of(FlatPoints<T> points, T noise) {
-  std::sort(points.begin(), points.end(),
-            [](const auto& p, const auto& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
-  FlatPoints<T> hull;
-  const auto chain = [&](const FlatPoint<T>& p, std::size_t least_size) {
-    while (hull.size() > least_size && turn(hull[hull.size() - 2], hull.back(), p) <= noise)
-      hull.truncate(hull.size() - 1);
-    hull.push_back(p);
+class RightOf {
+ public:
+  RightOf(const FlatPoint<T>& a, const FlatPoint<T>& b, T noise) : a_(a), b_(b) {
+    using std::sqrt;
+    const T x = b.x - a.x, y = b.y - a.y;
+    noise_ = noise * sqrt(x * x + y * y);
+  }
+
+  /// In proportion to the distance.
+  T operator()(const FlatPoint<T>& p) const { return -turn(a_, b_, p); }
+  /// Whether the distance is more than the noise.
+  bool has(const FlatPoint<T>& p) const { return (*this)(p) > noise_; }
+
+ private:
+  const FlatPoint<T>&a_, &b_;
+  T noise_;  ///< as an area, as `turn` is one
+};
+
+/// The point of the list that is furthest by a measure, the first of equal ones.
+template <class T, class Measure>
+const FlatPoint<T>& furthest(const FlatPoints<T>& points, const Measure& measure) {
+  return *std::max_element(points.begin(), points.end(),
+                           [&](const auto& p, const auto& q) { return measure(p) < measure(q); });
+}
+
+/// Appends the corners between `a` and `b`, of the points that are further than `noise` to the right of the line.
+template <class T>
+void add_corners(const FlatPoints<T>& points, const FlatPoint<T>& a, const FlatPoint<T>& b, T noise,
+                 FlatPoints<T>& hull) {
+  const RightOf<T> right(a, b, noise);
+  FlatPoints<T> outside;
+  for (const FlatPoint<T>& p : points)
+    if (right.has(p)) outside.push_back(p);
+  if (outside.empty()) return;
+  const FlatPoint<T> corner = furthest(outside, right);
+  add_corners(outside, a, corner, noise, hull);
+  hull.push_back(corner);
+  add_corners(outside, corner, b, noise, hull);
+}
+
+/// The corners of the convex hull, counter-clockwise; what is within `noise` of an edge is no corner, and fewer than two
+/// are left where all are at one place. Eddy 1977, "A new convex hull algorithm for planar sets": points that differ by
+/// rounding alone change it by no more than that, whereas one that goes through sorted points may lose the end of a row
+/// of them that stands across the direction of sorting.
+template <class T>
+FlatPoints<T> hull_of(const FlatPoints<T>& points, T noise) {
+  const auto from = [&](const FlatPoint<T>& a) {
+    return [&a](const FlatPoint<T>& p) { return (p.x - a.x) * (p.x - a.x) + (p.y - a.y) * (p.y - a.y); };
   };
-  for (const auto& p : points) chain(p, 1);
-  const std::size_t lower = hull.size();
-  for (std::size_t i = points.size() - 1; i-- > 0;) chain(points[i], lower);
-  hull.truncate(hull.size() - 1);  // the first point again
+  const FlatPoint<T> first = furthest(points, from(points[0])), last = furthest(points, from(first));
+  FlatPoints<T> found, hull;
+  if (!(from(first)(last) > noise * noise)) return hull;
+  found.push_back(first);
+  add_corners(points, first, last, noise, found);
+  const std::size_t place_of_last = found.size();
+  found.push_back(last);
+  add_corners(points, last, first, noise, found);
+  // Those two are corners; of others, the one furthest from a line may be any of an edge that is parallel to it.
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (i == 0 || i == place_of_last || RightOf<T>(hull.back(), found[(i + 1) % found.size()], noise).has(found[i]))
+      hull.push_back(found[i]);
   return hull;
+}
+
+/// Marks, in `keep`, points of `inner` that are at the place of an earlier one and as deep, but for `noise`: those of an
+/// edge that both of its triangles find.
+template <class T>
+void leave_out_repeats(FlatPoints<T>& inner, T noise, SmallVector<char, 16>& keep) {
+  // Sorted along a direction that no model is built along, so that points near each other there are few.
+  const auto along = [](const FlatPoint<T>& p) { return p.x * T(0.6079) + p.y * T(0.7940); };
+  std::sort(inner.begin(), inner.end(), [&](const auto& p, const auto& q) { return along(p) < along(q); });
+  for (std::size_t i = 0; i < inner.size(); ++i)
+    for (std::size_t j = i + 1; j < inner.size() && along(inner[j]) - along(inner[i]) <= T(2) * noise; ++j) {
+      const FlatPoint<T>&p = inner[i], &q = inner[j];
+      using std::abs;
+      if (abs(p.x - q.x) <= noise && abs(p.y - q.y) <= noise && abs(p.distance - q.distance) <= noise)
+        keep[greatest(p.index, q.index)] = 0;
+    }
 }
 
 }  // namespace detail
@@ -66,7 +130,7 @@ bool join_at_one_place(Manifold<T>& manifold, T together) {
   return true;
 }
 
-/// Leaves out the points that others span. `size`: of the smaller shape. Costs n log n.
+/// Leaves out the points that others span. `size`: of the smaller shape. Costs n log n, but for contrived points.
 template <class T>
 void keep_spanning(Manifold<T>& manifold, T size) {
   if (manifold.points.size() < 2) return;
@@ -78,18 +142,18 @@ void keep_spanning(Manifold<T>& manifold, T size) {
   T reach(0);
   for (std::size_t i = 0; i < manifold.points.size(); ++i) {
     const Vec3<T> d = manifold.points[i].a - origin;
-    flat.push_back({dot(d, u), dot(d, v), i});
+    flat.push_back({dot(d, u), dot(d, v), i, manifold.points[i].distance});
     reach = greatest(reach, length(d));
   }
-  // The distance of a point from its true place, at most; an area's error is that times the reach.
+  // The distance of a point from its true place, at most.
   const T noise = tolerance<T> * reach + T(64) * std::numeric_limits<T>::epsilon() * max_abs(origin);
-  const auto hull = detail::hull_of(flat, noise * reach);
+  const auto hull = detail::hull_of(flat, noise);
   if (hull.size() < 2) return;
   SmallVector<char, 16> keep;
   for (std::size_t i = 0; i < flat.size(); ++i) keep.push_back(0);
   for (const auto& corner : hull) keep[corner.index] = 1;
   // The distance between the corners: in the triangle, of the fan about the first, that the direction to a point meets.
-  const auto distance = [&](std::size_t i) { return manifold.points[hull[i].index].distance; };
+  const auto distance = [&](std::size_t i) { return hull[i].distance; };
   const auto spanned = [&](const detail::FlatPoint<T>& p) {
     if (hull.size() == 2) {
       const T x = hull[1].x - hull[0].x, y = hull[1].y - hull[0].y;
@@ -106,11 +170,16 @@ void keep_spanning(Manifold<T>& manifold, T size) {
     const T of_low = clamp(detail::turn(hull[0], p, hull[high]) / whole, T(0), T(1) - of_high);
     return distance(0) * (T(1) - of_low - of_high) + distance(low) * of_low + distance(high) * of_high;
   };
+  detail::FlatPoints<T> inner;
+  for (const auto& p : flat)
+    if (keep[p.index] == 0 && p.distance < spanned(p) - noise) {
+      inner.push_back(p);
+      keep[p.index] = 1;
+    }
+  detail::leave_out_repeats(inner, noise, keep);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < manifold.points.size(); ++i) {
-    if (keep[i] == 0 && manifold.points[i].distance >= spanned(flat[i]) - noise) continue;
-    manifold.points[kept++] = manifold.points[i];
-  }
+  for (std::size_t i = 0; i < manifold.points.size(); ++i)
+    if (keep[i] != 0) manifold.points[kept++] = manifold.points[i];
   manifold.points.truncate(kept);
 }
 
