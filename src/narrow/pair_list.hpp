@@ -17,6 +17,7 @@
 #include "narrow/pairs/on_half_space.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
+#include "narrow/pairs/sphere_cylinder.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
 #include "narrow/pairs/sphere_triangle.hpp"
 #include "narrow/pairs/triangle_triangle/pair.hpp"
@@ -41,7 +42,7 @@ struct Pairs {
 };
 
 using PairList =
-    Pairs<SphereSphere, SphereCapsule, SphereBox, ClosedFormPair<Sphere, Rectangle>,
+    Pairs<SphereSphere, SphereCapsule, SphereBox, ClosedFormPair<Sphere, Rectangle>, SphereCylinder,
           ClosedFormPair<Sphere, LineSegment>,
           SphereTriangle,                                                                                       //
           CapsuleCapsule, CapsuleBox, CapsuleRectangle, ClosedFormPair<Capsule, LineSegment>, CapsuleTriangle,  //

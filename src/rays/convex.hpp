@@ -59,7 +59,7 @@ MaybeHit cast_at(const Rectangle<T>& rectangle, T margin, const LocalRay& ray, B
 template <class T>
 MaybeHit cast_at(const Cylinder<T>& c, T margin, const LocalRay& ray, BackFaces) {
   const double h = wide(c.half_height()), bottom = wide(c.radius_bottom()), top = wide(c.radius_top());
-  if (margin > T(0)) return rounded(c, margin, ray, DistanceToFrustum{h, bottom, top});
+  if (margin > T(0)) return rounded(c, margin, ray, DistanceToFrustum{{h, bottom, top}});
   return hit_cylinder(ray, Frustum(h, bottom, top));
 }
 

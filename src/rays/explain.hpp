@@ -53,7 +53,7 @@ class RayExplanation {
   template <class T>
   Made of(const Cylinder<T>& c, T margin) {
     const double h = wide(c.half_height()), bottom = wide(c.radius_bottom()), top = wide(c.radius_top());
-    if (margin > T(0)) return steps(c, margin, DistanceToFrustum{h, bottom, top});
+    if (margin > T(0)) return steps(c, margin, DistanceToFrustum{{h, bottom, top}});
     slab("slab of the caps", {0, 1, 0}, h);
     side(h, bottom, top);
     trace_.method = "slab and quadratic of the side";

@@ -27,10 +27,12 @@ auto usable(const Vec3<S>& origin, const S& squared) {
   return (reach.x <= most) & (reach.y <= most) & (reach.z <= most) & (squared > S(0)) & (squared <= most_squared);
 }
 
-/// The length up to which a ray is followed; less than zero when it cannot hit.
+/// The length up to which a ray is followed, so far that a hit counts whose distance is `length` once it is rounded to
+/// `T`; less than zero when it cannot hit.
 template <class T>
 double end_of(T length) {
-  return length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
+  constexpr double rounding = 2 * static_cast<double>(std::numeric_limits<T>::epsilon());
+  return length >= T(0) ? least(static_cast<double>(length) * (1 + rounding), longest<T>) : -1;
 }
 /// The length up to which a ray is followed. `direction` is the ray's, of any length that has a square.
 template <class T>
@@ -89,7 +91,8 @@ struct FoundHit {
 
 /// A ray whose origin is its point nearest to `center`, and the shift of the origin. Squares of coordinates then are of
 /// the order of the shape and not of the distance that the ray comes from. The ray's end has no part in it: rounding of
-/// a hit does not depend on the length up to which the ray is followed.
+/// a hit does not depend on the length up to which the ray is followed, and the end is so much further that the hit is
+/// found again by a ray that ends there.
 template <class S>
 struct RecenteredOf {
   LocalRayOf<S> ray;
@@ -105,11 +108,18 @@ struct RecenteredOf {
   }
 };
 using Recentered = RecenteredOf<double>;
+/// The end of a ray as seen from an origin `shift` further on, with room for the rounding of both.
+template <class S>
+[[gnu::always_inline]] inline S end_from(const S& shift, const S& end) {
+  using std::abs;
+  return end - shift + S(2 * epsilon) * (abs(end) + abs(shift));
+}
+
 template <class S>
 [[gnu::always_inline]] inline RecenteredOf<S> recentered(const LocalRayOf<S>& ray,
                                                          const std::type_identity_t<Vec3<S>>& center) {
   const S shift = greatest(dot(center - ray.origin, ray.direction), ray.begin);
-  return {{ray.at(shift), ray.direction, ray.begin - shift, ray.end - shift, ray.blur}, shift};
+  return {{ray.at(shift), ray.direction, ray.begin - shift, end_from(shift, ray.end), ray.blur}, shift};
 }
 
 /// A frame in another. A matrix, since a ray and its hit are rotated four times.

@@ -3,6 +3,7 @@
 // Guarantee: each is a functor over points of the shape's frame; inside the core the distance is zero.
 #pragma once
 
+#include "narrow/core/point_frustum.hpp"
 #include "narrow/gjk/gjk.hpp"
 #include "rays/conservative_advancement.hpp"
 
@@ -25,22 +26,12 @@ struct DistanceToTriangle {
   }
 };
 
-/// The distance from a cylinder, cone or truncated cone, in the half-plane of the axis and the point.
+/// The distance from a cylinder, cone or truncated cone.
 struct DistanceToFrustum {
-  double half, bottom, top;
-
+  FrustumCore core;
   PointDistance operator()(const Vec3d& p) const {
-    const double rho = length(Vec3d{p.x, 0, p.z});
-    const Vec3d q{rho, p.y, 0};
-    const double share = half > 0 ? (p.y + half) / (2 * half) : 0.5;
-    if (std::abs(p.y) <= half && rho <= bottom + (top - bottom) * share) return {0, {0, 1, 0}};
-    const Vec3d foot{bottom, -half, 0}, head{top, half, 0};
-    Vec3d best = closest_point<double>({foot, head}, q);
-    for (const Vec3d& cap :
-         {closest_point<double>({{0, -half, 0}, foot}, q), closest_point<double>({{0, half, 0}, head}, q)})
-      if (length_squared(cap - q) < length_squared(best - q)) best = cap;
-    const Vec3d out = rho > 0 ? Vec3d{p.x / rho, 0, p.z / rho} : Vec3d{1, 0, 0};
-    return distance_between({out.x * best.x, best.y, out.z * best.x}, p);
+    const OutwardDistance d = distance_from(core, p);
+    return {greatest(d.distance, 0.0), d.normal};
   }
 };
 

@@ -90,7 +90,7 @@ class RayStream {
     const M aimed = (end >= S(0)) & (dot(to, to) <= reach * reach);
     store(origin, origin_, i);
     shift.store(shift_ + i);
-    (end - shift).store(end_ + i);
+    rays::end_from(shift, end).store(end_ + i);
     reach.store(reach_ + i);
     select(aimed, S(rays::ray_hit), S(rays::ray_missed)).store(block_.state + first_ + i);
 

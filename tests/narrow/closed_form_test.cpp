@@ -98,7 +98,8 @@ TEST(HalfSpace, MarginMovesItUp) {
 
 // Every closed form agrees with the general path that it short-cuts.
 TEST(ClosedForms, AgreeWithTheGeneralPath) {
-  constexpr Kind kinds[] = {Kind::sphere, Kind::capsule, Kind::box, Kind::rectangle, Kind::segment};
+  constexpr Kind kinds[] = {Kind::sphere, Kind::capsule,        Kind::box,    Kind::rectangle, Kind::cylinder,
+                            Kind::cone,   Kind::truncated_cone, Kind::segment};
   Random random(3);
   for (const Kind ka : kinds)
     for (const Kind kb : kinds)
@@ -120,6 +121,74 @@ TEST(ClosedForms, AgreeWithTheGeneralPath) {
             << describe(a) << "\n"
             << describe(b);
       }
+}
+
+/// The distance of a point at `rho` from the axis and at the height `y`, from the profile of a truncated cone: the least
+/// to its three sides, each a segment, in extended precision; inside it is negative.
+long double distance_to_profile(const Cylinder<double>& shape, long double rho, long double y) {
+  const long double h = shape.half_height(), bottom = shape.radius_bottom(), top = shape.radius_top();
+  const auto to_segment = [&](long double x0, long double y0, long double x1, long double y1) {
+    const long double dx = x1 - x0, dy = y1 - y0, squared = dx * dx + dy * dy;
+    const long double at = squared > 0 ? ((rho - x0) * dx + (y - y0) * dy) / squared : 0;
+    const long double t = at < 0 ? 0 : at > 1 ? 1 : at;
+    return std::hypot(rho - x0 - dx * t, y - y0 - dy * t);
+  };
+  const long double nearest =
+      std::min({to_segment(0, h, top, h), to_segment(0, -h, bottom, -h), to_segment(bottom, -h, top, h)});
+  const bool inside = h > 0 && std::abs(y) <= h && (rho - bottom) * 2 * h <= (top - bottom) * (y + h);
+  return inside ? -nearest : nearest;
+}
+
+// Points outside of and deep in cylinders, cones and truncated cones, many of them flat or slender, on the axis and on
+// the surface: the distance is exact, and the three parts of the answer agree.
+TEST(Closest, OfConesIsExactInsideAndOutside) {
+  Random random(4);
+  for (int i = 0; i < 20000; ++i) {
+    const auto length_of = [&] {
+      const auto size = static_cast<double>(uniform(random, 0, 1));
+      return random() % 8 == 0 ? 0 : random() % 4 == 0 ? size * 1e-3 : size;
+    };
+    const double height = length_of(), bottom = length_of(), top = random() % 3 == 0 ? bottom : length_of();
+    const Cylinder<double> cone(height, bottom, top);
+    const double size = cone.core_extent();
+    Vec3d p = scaled(converted<double>(random_vector(random, 1)), Vec3d{1, height, 1});
+    if (random() % 8 == 0) p.x = p.z = 0;
+    if (random() % 8 == 0) p.y = height / 2;
+    if (random() % 8 == 0) p = {bottom, -height / 2, 0};
+    const Closest<double> found = closest<double>(cone, {}, p);
+    const auto rho = std::hypot(static_cast<long double>(p.x), static_cast<long double>(p.z));
+    const double reach = size + max_abs(p);
+    ASSERT_EQ(found.status, Status::converged);
+    ASSERT_NEAR(found.distance, static_cast<double>(distance_to_profile(cone, rho, static_cast<long double>(p.y))),
+                1e-14 * reach)
+        << height << " " << bottom << " " << top << " at " << p.x << " " << p.y << " " << p.z;
+    ASSERT_LE(length(p - found.point - found.normal * found.distance), 1e-15 * reach);
+    ASSERT_NEAR(length(found.normal), 1, 1e-15);
+    // No point of the shape is further along the normal than the point itself.
+    const Vec3d furthest = support<double>(cone, found.normal);
+    ASSERT_LE(dot(found.normal, furthest - found.point), 1e-14 * reach);
+  }
+}
+
+// Turned and far from the origin, with balls of a radius and a centre of their own, in float: as near the caps and the
+// edge as a float can tell.
+TEST(SphereCylinder, AgreesWithTheClosestPoint) {
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const float height = uniform(random, 0, 2), bottom = uniform(random, 0, 1), top = uniform(random, 0, 1);
+    const Shape<float> cone(Cylinder<float>(height, bottom, top), 0.125f);
+    const Shape<float> ball(Sphere<float>(0.25f, random_vector(random, 0.5f)));
+    const auto random_pose = [&] {
+      const Vec3f translation = random_vector(random, 1) + Vec3f{64, -64, 64};
+      return Pose<float>{translation, normalized(random_rotation(random))};
+    };
+    const Pose<float> pose = random_pose(), placed = random_pose();
+    const Vec3f center = transform(placed, ball.as<Sphere<float>>()->center());
+    const Distance<float> d = distance(cone, pose, ball, placed);
+    const Closest<float> c = closest(cone, pose, center);
+    ASSERT_NEAR(d.distance, c.distance - 0.25f, 1e-5f);
+    ASSERT_LE(length(d.b - d.a - d.normal * d.distance), 3e-5f);
+  }
 }
 
 TEST(Closest, IsSignedAndPointsOutward) {

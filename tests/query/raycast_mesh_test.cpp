@@ -217,6 +217,9 @@ TYPED_TEST(RaycastMesh, AnswersAsEveryTriangleByItself) {
       if (first) {
         ASSERT_EQ(first->t, hits[0].t);
         ASSERT_EQ(first->piece, hits[0].piece);
+        const auto again = raycast(mesh, {}, ray, first->t);
+        ASSERT_TRUE(again) << "a ray that ends at its hit";
+        ASSERT_EQ(again->t, first->t);
       }
     }
   }
