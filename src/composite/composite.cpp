@@ -4,6 +4,8 @@
 #include "composite/solid.hpp"
 #include "composite/spanning_points.hpp"
 #include "composite/touching_pieces.hpp"
+#include "narrow/alike_order.hpp"
+#include "narrow/general_contacts.hpp"
 #include "narrow/pair_table.hpp"
 #include "shape/rounding.hpp"
 
@@ -142,6 +144,31 @@ template <class T>
   return found.least_distance;
 }
 
+/// Whether two composites are swapped: contacts are settled among the pieces of one first, and then among those of the
+/// other. Ground that others continue comes first.
+template <class T>
+bool composite_stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                             const Surroundings<T>& beside) {
+  if (a.convex() || b.convex()) return false;
+  if (beside.of_a.empty() != beside.of_b.empty()) return beside.of_a.empty();
+  return a.index() == b.index() ? stands_second(a, pose_a, b, pose_b) : against_order(a, b);
+}
+
+/// The contacts of composites that are swapped.
+template <class T>
+[[gnu::noinline]] T mirrored_composite_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                                const Pose<T>& pose_b, T margin, Manifolds<T>& manifolds,
+                                                const Surroundings<T>& beside, bool singly) {
+  const std::size_t first = manifolds.size();
+  const Surroundings<T> swapped{beside.of_b, beside.of_a};
+  const T distance = composite_contacts(b, pose_b, a, pose_a, margin, manifolds, swapped, singly);
+  for (std::size_t i = first; i < manifolds.size(); ++i) {
+    mirror(manifolds[i]);
+    std::swap(manifolds[i].piece_a, manifolds[i].piece_b);
+  }
+  return distance;
+}
+
 /// A convex pair's where the list is full: nothing is allocated unless the pair touches.
 template <class T>
 [[gnu::noinline]] T added_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
@@ -158,7 +185,9 @@ template <class T>
 T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                Manifolds<T>& manifolds, const Surroundings<T>& beside, bool singly) {
   if (!a.convex() || !b.convex() || !beside.empty())
-    return composite_contacts(a, pose_a, b, pose_b, margin, manifolds, beside, singly);
+    return composite_stands_second(a, pose_a, b, pose_b, beside)
+               ? mirrored_composite_contacts(a, pose_a, b, pose_b, margin, manifolds, beside, singly)
+               : composite_contacts(a, pose_a, b, pose_b, margin, manifolds, beside, singly);
   if (manifolds.size() == manifolds.capacity()) return added_contacts(a, pose_a, b, pose_b, margin, manifolds);
   Manifold<T>& manifold = manifolds.emplace_back();
   const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold);

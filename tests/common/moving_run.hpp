@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 12187134614441755746u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 18003168365443195506u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 2329965419985249527u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 9742957491961084179u;
 
 template <class T>
 class MovingRun {

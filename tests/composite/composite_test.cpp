@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "common/cube_mesh.hpp"
 #include "composite/brute_force.hpp"
 #include "graze/cast.hpp"
 #include "graze/raycast.hpp"
@@ -88,6 +89,35 @@ TEST(Composite, TwoSurfacesInManyPoses) {
     const Shaped &a = surfaces[i % 3], &b = surfaces[(i / 3) % 3];
     expect_brute_force(a, {}, b, random_pose(random, 4), 0.05);
   }
+}
+
+// Contacts are settled among the pieces of one shape before those of the other, and do not tell which was named first.
+TEST(Composite, ContactsOfTwoCompositesAreMirroredByASwap) {
+  Random random(6);
+  const Shaped field_of_cells = field(random, 4);
+  const Shaped cube = cube_mesh<double>(1, false);
+  const Shaped shapes[] = {sheet(random, 5), cube, Compound<double>({{cube, {}}, {field_of_cells, {}}})};
+  std::size_t touching = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Shaped &a = shapes[i % 3], &b = shapes[(i / 3) % 3];
+    const Posed pose_a = random_pose(random, 1), pose_b = random_pose(random, 2);
+    Manifolds<double> found, swapped;
+    contacts(a, pose_a, b, pose_b, 0.02, found);
+    contacts(b, pose_b, a, pose_a, 0.02, swapped);
+    ASSERT_EQ(found.size(), swapped.size());
+    touching += !found.empty();
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].normal, -swapped[k].normal);
+      EXPECT_EQ(found[k].piece_a, swapped[k].piece_b);
+      EXPECT_EQ(found[k].piece_b, swapped[k].piece_a);
+      ASSERT_EQ(found[k].points.size(), swapped[k].points.size());
+      for (std::size_t j = 0; j < found[k].points.size(); ++j) {
+        EXPECT_EQ(found[k].points[j].a, swapped[k].points[j].b);
+        EXPECT_EQ(found[k].points[j].distance, swapped[k].points[j].distance);
+      }
+    }
+  }
+  EXPECT_GT(touching, 100u);
 }
 
 // Compounds in compounds, with half-spaces among the children.
