@@ -29,7 +29,7 @@ function viewer(values: Record<string, string>): SceneRoom {
     if (text) location.hash = address("/scene", { s: text });
     else enter(viewer({ s: JSON.stringify(scene) }));
   };
-  return new SceneRoom(values, (name, captured, served) => enter(new CaptureRoom(name, captured, { served, at: values.at, view: values.view }, enterScene)));
+  return new SceneRoom(values, (name, captured, served) => enter(new CaptureRoom(name, captured, { served, at: values.at, view: values.view }, enterScene, openFiles)));
 }
 function open(): void {
   const { path, values } = readPlace();
@@ -77,6 +77,16 @@ function frame(): Node[] {
   ];
 }
 
+/** Opens files in the viewer, whichever page is shown. */
+function openFiles(files: File[]): void {
+  if (files.length === 0) return;
+  if (!(room instanceof SceneRoom)) {
+    history.pushState(null, "", address("/scene", {}));
+    open();
+  }
+  (room as SceneRoom).openFiles(files);
+}
+
 /** Opens files that are dropped on any page: left to itself, a browser would leave the lab for them. */
 function takeDrops(): void {
   const files = ({ dataTransfer }: DragEvent): boolean => dataTransfer?.types.includes("Files") ?? false;
@@ -84,11 +94,7 @@ function takeDrops(): void {
   window.addEventListener("drop", (event) => {
     if (!files(event)) return;
     event.preventDefault();
-    if (!(room instanceof SceneRoom)) {
-      history.pushState(null, "", address("/scene", {}));
-      open();
-    }
-    (room as SceneRoom).openFiles([...event.dataTransfer!.files]);
+    openFiles([...event.dataTransfer!.files]);
   });
 }
 

@@ -23,7 +23,7 @@ import { bodiesOf, colored, counted, keyOf, overlapping, pairRows, partnersOf } 
 import { Run } from "../scene/run.ts";
 import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
 import { drawShot } from "../scene/shots.ts";
-import type { Served } from "../scene/source.ts";
+import { opener, type Served } from "../scene/source.ts";
 import { explained, TraceSteps } from "../scene/trace-steps.ts";
 import type { Room } from "./room.ts";
 
@@ -77,8 +77,8 @@ export class CaptureRoom implements Room {
   private readonly steps = new TraceSteps(() => (this.paint(), this.still.call()));
   private readonly shooting: Shooting;
 
-  /** `onScene` gets a frame as a scene. */
-  constructor(name: string, captured: Captured, origin: Origin, onScene: (scene: Scene) => void) {
+  /** `onScene` gets a frame as a scene, `onFiles` the files that are chosen to be opened in place of the capture. */
+  constructor(name: string, captured: Captured, origin: Origin, onScene: (scene: Scene) => void, onFiles: (files: File[]) => void) {
     this.captured = captured;
     this.origin = origin;
     this.inquiry = new Inquiry((question) => (location.hash = address("/scene", { q: JSON.stringify(question) })), (text) => this.say(text));
@@ -93,7 +93,7 @@ export class CaptureRoom implements Room {
       fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element)]);
     this.element = h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, name), this.intro),
-      h("div", { class: "choices" }, ...shootingButtons((kind) => this.takeAim(kind))),
+      h("div", { class: "choices" }, ...opener("Open another file", onFiles), ...shootingButtons((kind) => this.takeAim(kind))),
       this.trouble,
       h("div", { class: "board workbench" }, left,
         h("div", { class: "picture" }, this.stage.element, fold("time", "Time", this.timeline.element, this.counter), handle, this.layers.element,

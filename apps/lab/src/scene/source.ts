@@ -22,6 +22,13 @@ export interface Reader {
   onTrouble(text: string): void;
 }
 
+/** A button that opens files, and the field behind it. */
+export function opener(label: string, onFiles: (files: File[]) => void): HTMLElement[] {
+  const field = h("input", { type: "file", multiple: true, class: "hidden", accept: accepted, "aria-label": label,
+    onchange: () => onFiles([...(field.files ?? [])]) }) as HTMLInputElement;
+  return [button(label, () => field.click()), field];
+}
+
 export class Source {
   /** A button that opens a file, and the field behind it. */
   readonly elements: HTMLElement[];
@@ -30,9 +37,7 @@ export class Source {
 
   constructor(reader: Reader) {
     this.reader = reader;
-    const field = h("input", { type: "file", multiple: true, class: "hidden", accept: accepted, "aria-label": "Open a file",
-      onchange: () => void this.chosen([...(field.files ?? [])]) }) as HTMLInputElement;
-    this.elements = [button("Open a file", () => field.click()), field];
+    this.elements = opener("Open a file", (files) => void this.chosen(files));
   }
   /** The path of the served file. */
   get served(): string | null {

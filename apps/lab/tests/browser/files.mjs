@@ -39,7 +39,7 @@ test("viewer: opens the project's scenes, and says what is wrong with a broken f
   await page.context().close();
 });
 
-test("files are dropped on any page: on a lesson, which the way back leads to, on a capture, and on a scene", async () => {
+test("files are dropped on any page, or chosen: on a lesson, which the way back leads to, on a capture, and on a scene", async () => {
   const page = await visit("#/lesson/gjk");
   /** Drops a file on the head of the page, as a browser does that would open it otherwise. */
   const drop = (name, bytes) => page.evaluate(([name, bytes]) => {
@@ -63,7 +63,7 @@ test("files are dropped on any page: on a lesson, which the way back leads to, o
   shape.dispose();
   assert.ok(await drop("one.capture", Buffer.concat(frames)));
   await page.waitForFunction(() => window.lab.shown?.frames === 1);
-  assert.ok(await drop("one.obj", triangle));
+  await page.setInputFiles("[aria-label='Open another file'][type=file]", { name: "one.obj", mimeType: "", buffer: triangle });
   await page.waitForFunction(() => window.lab.shown?.bodies === 1 && window.lab.play);
   assert.ok(await drop("bad.obj", Buffer.from("v x\n")));
   await page.waitForSelector(".trouble:not([hidden])");
