@@ -20,6 +20,12 @@
 
 namespace graze {
 
+/// A unit vector of the half-plane of an axis. Both components are kept: one that is computed of the other loses half of
+/// its digits on flat cones.
+struct ProfileDirection {
+  double across, along;
+};
+
 /// A core of revolution about Y: the hull of two discs, or of two balls, at -half_height and half_height.
 struct RevolvedCore {
   double half_height;
@@ -30,16 +36,17 @@ struct RevolvedCore {
   double reach(double across, double along) const {
     return greatest(disc[0] * across - half_height * along + ball[0], disc[1] * across + half_height * along + ball[1]);
   }
-  /// The component along the axis of the side's normal; nothing where one end holds the other.
-  std::optional<double> side() const {
+  /// The normal of the side; nothing where one end holds the other.
+  std::optional<ProfileDirection> side() const {
     const double taper = disc[0] - disc[1], taper_of_balls = ball[0] - ball[1], height = 2 * half_height;
     if (taper_of_balls != 0) {
       if (!(std::abs(taper_of_balls) < height)) return std::nullopt;
-      return taper_of_balls / height;
+      const double across = std::sqrt((height - taper_of_balls) * (height + taper_of_balls));
+      return ProfileDirection{across / height, taper_of_balls / height};
     }
     const double slant = std::sqrt(height * height + taper * taper);
     if (!(slant > 0)) return std::nullopt;
-    return taper / slant;
+    return ProfileDirection{height / slant, taper / slant};
   }
 };
 
@@ -64,14 +71,14 @@ std::optional<RevolvedCore> revolved_core(const Shape<T>& shape) {
 /// the direction of A's and -1 where it has the opposite one.
 inline double coaxial_depth(const RevolvedCore& a, const RevolvedCore& b, double rise, double toward) {
   double least_depth = std::numeric_limits<double>::infinity();
-  const auto consider = [&](double along) {
-    const double across = std::sqrt((1 - along) * (1 + along));
-    least_depth = least(least_depth, a.reach(across, along) + b.reach(across, -along * toward) - along * rise);
+  const auto consider = [&](const ProfileDirection& d) {
+    const double depth = a.reach(d.across, d.along) + b.reach(d.across, -d.along * toward) - d.along * rise;
+    least_depth = least(least_depth, depth);
   };
-  consider(1);
-  consider(-1);
+  consider({0, 1});
+  consider({0, -1});
   if (const auto side = a.side()) consider(*side);
-  if (const auto side = b.side()) consider(-*side * toward);
+  if (const auto side = b.side()) consider({side->across, -side->along * toward});
   return least_depth;
 }
 
