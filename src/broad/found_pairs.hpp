@@ -53,10 +53,10 @@ class FoundPairs {
   /// some pairs ahead.
   template <class Keep, class Fetch>
   void keep_if(std::size_t from, const Keep& keep, const Fetch& fetch) {
-    constexpr std::size_t ahead = 16;
+    constexpr std::size_t pairs_ahead = 16;
     std::size_t kept = from;
     for (std::size_t i = from; i < count_; ++i) {
-      fetch(second_[std::min(i + ahead, count_ - 1)]);
+      fetch(second_[std::min(i + pairs_ahead, count_ - 1)]);
       const std::uint32_t a = first_[i], b = second_[i];
       first_[kept] = a, second_[kept] = b;
       kept += keep(a, b) ? 1 : 0;

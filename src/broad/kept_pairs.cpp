@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "broad/kept_kernels.hpp"
+#include "broad/pair_order.hpp"
 #include "graze/pairs.hpp"
 
 namespace graze {
@@ -49,8 +50,6 @@ Aabb<T> with_room(const Aabb<T>& box, const T& room) {
   const Vec3<T> d = least(Vec3<T>{room, room, room}, box.extent() * T(most_room));
   return {box.lower - d, box.upper + d};
 }
-
-std::uint64_t key(const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; }
 
 std::size_t words_for(std::size_t bits) { return bits / 64 + 1; }
 
@@ -201,7 +200,7 @@ void KeptPairs<T>::merge_found(std::size_t boxes, std::vector<IdPair>& out) {
   IdPair* const to = out.data();
   const IdPair* const from = of_left_.data();
   while (left > 0 && other > 0) {
-    const std::size_t is_other = key(from[left - 1]) < key(to[other - 1]) ? 1 : 0;
+    const std::size_t is_other = order_key(from[left - 1]) < order_key(to[other - 1]) ? 1 : 0;
     const IdPair* const next = is_other != 0 ? to + other : from + left;
     to[left + other - 1] = next[-1];
     other -= is_other, left -= 1 - is_other;

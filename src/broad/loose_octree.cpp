@@ -7,7 +7,7 @@ namespace graze {
 namespace {
 
 /// Levels below the root: the smallest cells are 2^-20 of it, a millimetre in a kilometre. Bounds all recursion.
-constexpr unsigned max_depth = 20;
+constexpr unsigned max_cell_depth = 20;
 /// A cell with no more boxes keeps those that would fit its children: as many tests cost less than a level more.
 constexpr std::size_t max_crowd = 8;
 /// The share of boxes, one in so many, that may lie outside the root before it is chosen anew.
@@ -137,7 +137,7 @@ class LooseOctree final : public BroadPhase<T> {
   }
   /// Whether a box fits a child of the cell. Infinite and NaN lengths are below no limit.
   static bool fits_child(const Aabb<T>& box, const Cube& cube, unsigned depth) {
-    return depth < max_depth && max_abs(box.extent()) <= cube.half && is_finite(box);
+    return depth < max_cell_depth && max_abs(box.extent()) <= cube.half && is_finite(box);
   }
   void split(std::uint32_t node, const Cube& cube, unsigned depth) {
     nodes_[node].children = static_cast<std::uint32_t>(nodes_.size());

@@ -21,18 +21,16 @@ constexpr std::uint32_t few = 24;
 /// comparing.
 constexpr std::size_t sparse = 256;
 
-std::uint64_t key(const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; }
-
 /// Sorts pairs that are nearly in order.
 void insertion_sort(IdPair* pairs, std::size_t count) {
   for (std::size_t i = 1; i < count; ++i) {
     const IdPair p = pairs[i];
-    if (key(pairs[i - 1]) <= key(p)) continue;
+    if (order_key(pairs[i - 1]) <= order_key(p)) continue;
     std::size_t k = i;
     do {
       pairs[k] = pairs[k - 1];
       --k;
-    } while (k > 0 && key(pairs[k - 1]) > key(p));
+    } while (k > 0 && order_key(pairs[k - 1]) > order_key(p));
     pairs[k] = p;
   }
 }

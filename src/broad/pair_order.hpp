@@ -12,6 +12,9 @@
 
 namespace graze {
 
+/// A number that orders pairs as they are put in order.
+inline std::uint64_t order_key(const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; }
+
 class PairOrder {
  public:
   /// Sorts the pairs of `first[i]` and `second[i]` into `to`, each with the smaller place first. Places are below

@@ -16,15 +16,14 @@ inline constexpr double over_vertex = 1e-6;
 /// Whether a unit vector in a segment's frame leads over its end into the next segment of its chain.
 template <class T>
 bool leads_over_seam(const Core<T>& segment, const Vec2d& n) {
-  using Kind = OutlineVertex::Kind;
   if (!segment.chain) return false;
   const Vec2d along = normalized(segment.edge(0));
   const OutlineVertex &start = segment.outline[0], &end = segment.outline[1];
   const auto over = [&](const Vec2d& outward, const Vec2d& beyond) {
     return dot(n, outward) > over_vertex && dot(n, beyond) > over_vertex;
   };
-  return (start.kind != Kind::first && over(-along, -start.arriving)) ||
-         (end.kind != Kind::last && over(along, end.leaving));
+  return (start.kind != OutlineVertex::Kind::first && over(-along, -start.arriving)) ||
+         (end.kind != OutlineVertex::Kind::last && over(along, end.leaving));
 }
 
 /// Replaces a normal that leads over a seam of a chain, along which pieces touch, by that of the segment, on the side

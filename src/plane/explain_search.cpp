@@ -11,14 +11,14 @@ namespace graze::plane {
 namespace {
 
 /// The most steps, more than polygons of many vertices take; curved cores end by `search_goal`.
-constexpr int most_steps = 200;
+constexpr int most_search_steps = 200;
 /// The gap between the bounds at which the search ends, relative to the size of the pair.
 constexpr double search_goal = 1e-10;
 /// The number of directions that sample the difference of curved cores.
 constexpr int sampled_directions = 96;
 
 /// A point of B - A with the points that it is made of.
-struct Vertex {
+struct DifferenceVertex {
   Vec2d a, b, point;
 
   TraceSupport shown() const { return {{a.x, a.y, 0}, {b.x, b.y, 0}}; }
@@ -27,7 +27,7 @@ struct Vertex {
 Vec3d in_space(const Vec2d& v) { return {v.x, v.y, 0}; }
 
 template <class T>
-Vertex support_of(const LeafPair<T>& pair, const Vec2d& direction) {
+DifferenceVertex support_of(const LeafPair<T>& pair, const Vec2d& direction) {
   const auto of = [](const Core<T>& core, const Pose2d& pose, const Vec2d& d) {
     return transform(pose, support(core, inverse_rotate(pose.rotation, d)).point);
   };
@@ -35,11 +35,11 @@ Vertex support_of(const LeafPair<T>& pair, const Vec2d& direction) {
   return {a, b, b - a};
 }
 
-using Simplex = std::vector<Vertex>;
+using Simplex = std::vector<DifferenceVertex>;
 
 std::vector<TraceSupport> shown(const Simplex& simplex) {
   std::vector<TraceSupport> out;
-  for (const Vertex& v : simplex) out.push_back(v.shown());
+  for (const DifferenceVertex& v : simplex) out.push_back(v.shown());
   return out;
 }
 
@@ -65,7 +65,7 @@ std::optional<Vec2d> reduce(Simplex& simplex) {
   Simplex best;
   Vec2d foot;
   for (std::size_t i = 0; i < simplex.size(); ++i) {
-    const Vertex &p = simplex[i], &q = simplex[(i + 1) % simplex.size()];
+    const DifferenceVertex &p = simplex[i], &q = simplex[(i + 1) % simplex.size()];
     const Vec2d at = nearest_on(p.point, q.point);
     if (!(length_squared(at) < least_squared)) continue;
     least_squared = length_squared(at), foot = at;
@@ -80,13 +80,13 @@ template <class T>
 void expand(const LeafPair<T>& pair, Simplex polygon, double near, Trace& trace) {
   for (const Vec2d& d : {Vec2d{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
     if (polygon.size() >= 2) break;
-    const Vertex v = support_of(pair, d);
+    const DifferenceVertex v = support_of(pair, d);
     if (!(v.point == polygon[0].point)) polygon.push_back(v);
   }
   if (polygon.size() < 2) return;  // the difference is one point
   if (polygon.size() == 3 && cross(polygon[1].point - polygon[0].point, polygon[2].point - polygon[0].point) < 0)
     std::swap(polygon[1], polygon[2]);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_search_steps; ++step) {
     std::size_t edge = 0;
     double reach = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -95,7 +95,7 @@ void expand(const LeafPair<T>& pair, Simplex polygon, double near, Trace& trace)
       if (l > 0 && cross(p, e) / l < reach) reach = cross(p, e) / l, edge = i;
     }
     const Vec2d n = normalized(right(polygon[(edge + 1) % polygon.size()].point - polygon[edge].point));
-    const Vertex found = support_of(pair, n);
+    const DifferenceVertex found = support_of(pair, n);
     const double reached = dot(found.point, n);
     // The way out is against the outside of B - A: from A to B.
     trace.epa.push_back({in_space(-n), greatest(reach, 0.0), reached, found.shown(), polygon.size(), shown(polygon)});
@@ -113,7 +113,7 @@ void explain_search(const LeafPair<T>& pair, Trace& trace) {
                                                       length(pair.pose_b.translation - pair.pose_a.translation);
   Simplex simplex{support_of(pair, {0, 1})};  // any direction will do
   double lower = 0;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_search_steps; ++step) {
     const std::vector<TraceSupport> before = shown(simplex);
     const std::optional<Vec2d> foot = reduce(simplex);
     if (!foot || length(*foot) <= near) {
@@ -123,11 +123,11 @@ void explain_search(const LeafPair<T>& pair, Trace& trace) {
     }
     const double upper = length(*foot);
     const Vec2d direction = normalized(*foot);  // from A to B
-    const Vertex found = support_of(pair, -direction);
+    const DifferenceVertex found = support_of(pair, -direction);
     lower = greatest(lower, dot(found.point, direction));
     trace.gjk.push_back({shown(simplex), in_space(direction), found.shown(), lower, upper});
     if (upper - lower <= near) return;
-    for (const Vertex& v : simplex)
+    for (const DifferenceVertex& v : simplex)
       if (v.point == found.point) return;
     simplex.push_back(found);
   }

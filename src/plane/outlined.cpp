@@ -11,6 +11,8 @@ namespace graze::plane {
 
 namespace {
 
+using Kind = OutlineVertex::Kind;
+
 std::string vertex_path(std::size_t i) { return "points[" + std::to_string(i) + "]"; }
 
 [[noreturn]] void refuse(std::size_t vertex, const char* expected, const Vec2d& found) {
@@ -54,7 +56,6 @@ double turn_of(std::span<const Vec2d> outline) {
 
 /// A segment's ends as they are seen from the other side.
 OutlineVertex reversed(const OutlineVertex& v, double turn) {
-  using Kind = OutlineVertex::Kind;
   OutlineVertex out = v;
   out.arriving = -v.leaving;
   out.leaving = -v.arriving;
@@ -165,7 +166,6 @@ Polygon<T>::Polygon(std::span<const Vec2<T>> points) {
 
 template <class T>
 Chain<T>::Chain(std::span<const Vec2<T>> points, bool closed, ChainSides sides) : closed_(closed), sides_(sides) {
-  using Kind = OutlineVertex::Kind;
   const std::vector<Vec2<T>> given = checked_points(points, closed ? 3 : 2, closed);
   const std::size_t n = given.size(), segments = closed ? n : n - 1;
   const auto wide = [&](std::size_t i) { return converted<double>(given[i % n]); };

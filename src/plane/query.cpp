@@ -125,8 +125,8 @@ bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const
   if (trace) smallest(a, pose_a, b, pose_b, trace);
   if (const auto known = special_overlap(a, pose_a, b, pose_b)) return *known;
   bool found = false;
-  const auto touching = [] { return 0.0; };
-  for_each_pair_within(a, pose_a, b, pose_b, touching,
+  const auto no_gap = [] { return 0.0; };
+  for_each_pair_within(a, pose_a, b, pose_b, no_gap,
                        [&](const LeafPair<T>& pair) { found = found || (pair.apart() <= 0 && pair_overlaps(pair)); });
   return found;
 }

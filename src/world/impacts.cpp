@@ -10,7 +10,7 @@ namespace graze {
 
 namespace {
 
-constexpr std::size_t bodies_per_task = 16;
+constexpr std::size_t fast_bodies_per_task = 16;
 
 /// The largest way of any point of a body in a unit of time.
 template <class T, class Space>
@@ -46,7 +46,7 @@ void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree
     else if (bodies.fixed()[i] == 0)
       fastest = greatest(fastest, speed_of(bodies, i));
   }
-  std::vector<std::vector<Impact<T, Space>>> found((fast.size() + bodies_per_task - 1) / bodies_per_task);
+  std::vector<std::vector<Impact<T, Space>>> found((fast.size() + fast_bodies_per_task - 1) / fast_bodies_per_task);
   const auto meet = [&](std::uint32_t i, std::uint32_t j, std::vector<Impact<T, Space>>& impacts) {
     if (i == j || !allowed(i, j)) return;
     const std::uint32_t a = std::min(i, j), b = std::max(i, j);
@@ -58,23 +58,24 @@ void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree
     const bool trigger = bodies.triggers()[a] != 0 || bodies.triggers()[b] != 0;
     if (hit) impacts.push_back({bodies.id(a), bodies.id(b), trigger, *hit});
   };
-  for_each_chunk(executor, fast.size(), bodies_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t i = fast[k];
-      const Sweep<T> sweep = sweep_of(bodies, i, duration, fastest * duration);
-      tree.visit([&](const Aabb<T>& box) { return entry(box, sweep) <= T(1); },
-                 [&](std::uint32_t j, const Aabb<T>&) {
-                   if (bodies.fast()[j] == 0) meet(i, j, found[task]);
-                 });
-      // Two fast bodies can meet anywhere; there are few of them.
-      for (std::size_t other = k + 1; other < fast.size(); ++other) {
-        const Sweep<T> theirs = sweep_of(bodies, fast[other], duration, T(0));
-        const Aabb<T> way =
-            merged(theirs.box, Aabb<T>{theirs.box.lower + theirs.motion, theirs.box.upper + theirs.motion});
-        if (entry(way, sweep) <= T(1)) meet(i, fast[other], found[task]);
-      }
-    }
-  });
+  for_each_chunk(
+      executor, fast.size(), fast_bodies_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const std::uint32_t i = fast[k];
+          const Sweep<T> sweep = sweep_of(bodies, i, duration, fastest * duration);
+          tree.visit([&](const Aabb<T>& box) { return entry(box, sweep) <= T(1); },
+                     [&](std::uint32_t j, const Aabb<T>&) {
+                       if (bodies.fast()[j] == 0) meet(i, j, found[task]);
+                     });
+          // Two fast bodies can meet anywhere; there are few of them.
+          for (std::size_t other = k + 1; other < fast.size(); ++other) {
+            const Sweep<T> theirs = sweep_of(bodies, fast[other], duration, T(0));
+            const Aabb<T> way =
+                merged(theirs.box, Aabb<T>{theirs.box.lower + theirs.motion, theirs.box.upper + theirs.motion});
+            if (entry(way, sweep) <= T(1)) meet(i, fast[other], found[task]);
+          }
+        }
+      });
   for (const auto& of_task : found) out.insert(out.end(), of_task.begin(), of_task.end());
   std::sort(out.begin(), out.end(), before<T, Space>);
 }

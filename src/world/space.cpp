@@ -29,7 +29,7 @@ namespace {
 
 /// The radius of the disc about the shape's origin that holds it; infinite for a shape without end.
 template <class T>
-T reach_of(const Shape<T>& shape) {
+T extent_or_infinity(const Shape<T>& shape) {
   return is_bounded(shape) ? extent(shape) : std::numeric_limits<T>::infinity();
 }
 
@@ -40,14 +40,14 @@ Aabb<T> Space<T>::bounds_turning(const Shape& shape, const Pose& pose, const Tur
   if (angular == T(0)) return bounds(shape, pose);
   // The sums of an extent lose a few units in the last place, far less than this.
   const T safe = T(1.0001);
-  const T reach = reach_of(shape) * safe;
+  const T reach = extent_or_infinity(shape) * safe;
   const Vec corner{reach, reach};
   return flat({pose.translation - corner, pose.translation + corner});
 }
 
 template <class T>
 T Space<T>::speed_of_turning(const Shape& shape, const Turning& angular) {
-  return angular != T(0) ? std::abs(angular) * reach_of(shape) : T(0);
+  return angular != T(0) ? std::abs(angular) * extent_or_infinity(shape) : T(0);
 }
 
 template <class T>

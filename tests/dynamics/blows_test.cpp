@@ -13,7 +13,7 @@ namespace {
 
 /// Bodies that touch, and what is needed to strike them.
 template <class T>
-struct Touching {
+struct PairThatTouches {
   std::vector<StruckBody<T>> bodies;
   std::vector<Blow<T>> blows;
   std::vector<Vec3<T>> points;
@@ -32,8 +32,8 @@ struct Touching {
 
 /// Balls of radius 1/2 in a row, each touching the next.
 template <class T>
-Touching<T> row_of_balls(const std::vector<T>& masses, T restitution) {
-  Touching<T> row;
+PairThatTouches<T> row_of_balls(const std::vector<T>& masses, T restitution) {
+  PairThatTouches<T> row;
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const T inertia = masses[i] / T(10);
     row.bodies.push_back(
@@ -51,7 +51,7 @@ TYPED_TEST_SUITE(Blows, Scalars);
 
 TYPED_TEST(Blows, OfACradleOnlyTheLastBallLeaves) {
   using T = TypeParam;
-  Touching<T> cradle = row_of_balls<T>({1, 1, 1, 1, 1, 1}, T(1));
+  PairThatTouches<T> cradle = row_of_balls<T>({1, 1, 1, 1, 1, 1}, T(1));
   cradle.bodies[0].motion.linear.x = T(5);
   const PassedOn<T> passed = cradle.pass(T(0.1));
   const T tiny = T(64) * std::numeric_limits<T>::epsilon();
@@ -68,7 +68,7 @@ TYPED_TEST(Blows, OfACradleOnlyTheLastBallLeaves) {
 TYPED_TEST(Blows, ABoxThatFallsFlatReboundsFlat) {
   using T = TypeParam;
   for (const T e : {T(0), T(0.5), T(1)}) {
-    Touching<T> box;
+    PairThatTouches<T> box;
     const T inertia = T(1) / T(6);
     box.bodies = {{}, {{{0, -4, 0}, {}, {0, T(0.5), 0}}, inverse_mass(T(1), Vec3<T>{inertia, inertia, inertia})}};
     const T h = T(0.5);
@@ -85,7 +85,7 @@ TYPED_TEST(Blows, ABoxThatFallsFlatReboundsFlat) {
 
 TYPED_TEST(Blows, WithoutReboundWhatIsStruckMovesTogether) {
   using T = TypeParam;
-  Touching<T> row = row_of_balls<T>({1, 2, 3}, T(0));
+  PairThatTouches<T> row = row_of_balls<T>({1, 2, 3}, T(0));
   row.bodies[0].motion.linear.x = T(6);
   const PassedOn<T> passed = row.pass(T(1e-3));
   EXPECT_LE(passed.approach, T(1e-3));
@@ -94,11 +94,11 @@ TYPED_TEST(Blows, WithoutReboundWhatIsStruckMovesTogether) {
 
 TYPED_TEST(Blows, WhatRestsAndWhatIsImmovableIsLeftAlone) {
   using T = TypeParam;
-  Touching<T> row = row_of_balls<T>({1, 1}, T(1));
+  PairThatTouches<T> row = row_of_balls<T>({1, 1}, T(1));
   row.bodies[0].motion.linear.x = T(0.05);
   EXPECT_EQ(row.pass(T(0.1)).struck, 0u);
   EXPECT_EQ(row.bodies[0].motion.linear.x, T(0.05));
-  Touching<T> walls;
+  PairThatTouches<T> walls;
   walls.bodies.resize(2);
   walls.bodies[0].motion.linear.x = T(1);
   walls.touch(0, 1, {1, 0, 0}, T(1), {{}});
@@ -107,7 +107,7 @@ TYPED_TEST(Blows, WhatRestsAndWhatIsImmovableIsLeftAlone) {
 
 TYPED_TEST(Blows, NoMoreAreStruckThanAllowed) {
   using T = TypeParam;
-  Touching<T> cradle = row_of_balls<T>({1, 1, 1, 1}, T(1));
+  PairThatTouches<T> cradle = row_of_balls<T>({1, 1, 1, 1}, T(1));
   cradle.bodies[0].motion.linear.x = T(5);
   const PassedOn<T> passed = cradle.pass(T(0), 2);
   EXPECT_EQ(passed.struck, 2u);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(Blows, MomentumStaysAndEnergyDoesNotGrow, (std::uint32_t seed)) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&](double size) { return Vec3d{unit(engine), unit(engine), unit(engine)} * size; };
-  Touching<double> heap;
+  PairThatTouches<double> heap;
   std::vector<double> masses;
   std::vector<Mat3d> inertias;
   for (int i = 0; i < 5; ++i) {

@@ -13,8 +13,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneBatch : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneBatch : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneBatch, Scalars);
 
 /// Runs tasks on four threads, in no order of their own.
@@ -102,7 +102,7 @@ void expect_as_alone(const Batch<T>& batch, const std::vector<Shape<T>>& a, cons
         EXPECT_EQ(there[k].feature, manifolds[m].points[k].feature);
       }
     }
-    if (testing::Test::HasFailure()) FAIL() << a[p.a].name() << " and " << b[p.b].name() << ", pair " << i;
+    if (::testing::Test::HasFailure()) FAIL() << a[p.a].name() << " and " << b[p.b].name() << ", pair " << i;
   }
   EXPECT_GE(points, batch.size() / 8);
 }

@@ -8,8 +8,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneContactMargin : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneContactMargin : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneContactMargin, Scalars);
 
 TYPED_TEST(PlaneContactMargin, IsAHundredthOfTheSmallerShapeEitherWayRound) {

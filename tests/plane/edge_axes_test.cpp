@@ -12,8 +12,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneEdgeAxes : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneEdgeAxes : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneEdgeAxes, Scalars);
 
 using Point = std::pair<Wide, Wide>;

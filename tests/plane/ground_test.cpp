@@ -78,7 +78,7 @@ class Scene {
 };
 
 template <class T>
-std::vector<Shape<T>> sliders() {
+std::vector<Shape<T>> bodies_to_slide() {
   return {Box<T>({1, 1}),
           Shape<T>(Box<T>({T(0.8), T(0.8)}), T(0.1)),
           Circle<T>(T(0.5)),
@@ -177,8 +177,10 @@ std::vector<Shape<T>> crates() {
   return {Compound<T>({placed(half, -0.25), placed(half, 0.25)}), Compound<T>({placed(part, -0.2), placed(part, 0.2)})};
 }
 
-TYPED_TEST(PlaneGround, HasNoSeams) { EXPECT_GT(expect_no_seams(false, sliders<TypeParam>()), 4000u); }
-TYPED_TEST(PlaneGround, HasNoSeamsWithinACompound) { EXPECT_GT(expect_no_seams(true, sliders<TypeParam>()), 3000u); }
+TYPED_TEST(PlaneGround, HasNoSeams) { EXPECT_GT(expect_no_seams(false, bodies_to_slide<TypeParam>()), 4000u); }
+TYPED_TEST(PlaneGround, HasNoSeamsWithinACompound) {
+  EXPECT_GT(expect_no_seams(true, bodies_to_slide<TypeParam>()), 3000u);
+}
 
 /// A part of a crate that leans may have the crate's own normal, as a box on a tile narrower than itself has.
 TYPED_TEST(PlaneGround, HasNoSeamsForCratesOfParts) {
@@ -192,14 +194,14 @@ TYPED_TEST(PlaneGround, KeepsWallsAndSteps) {
   for (const bool whole : {false, true})
     for (const double high : {2.0, 0.2, 0.05})
       for (const bool beside : {false, true})
-        for (std::size_t s = 0; s < sliders<T>().size(); ++s)
+        for (std::size_t s = 0; s < bodies_to_slide<T>().size(); ++s)
           for (int k = 0; k < 10; ++k) {
             Scene<T> scene(Tiles::boxes, 0.7, {1, 2}, random, whole);
             // A wall that stands on the tiles, or a block beside a last tile that is higher than it.
             const double wall = uniform(random, -0.5, 0.5);
             scene.fix(Box<T>({T(1), T(beside ? high + 1 : high)}), {wall + 0.5, beside ? (high - 1) / 2 : high / 2});
             scene.lay();
-            const Shape<T> slider = sliders<T>()[s];
+            const Shape<T> slider = bodies_to_slide<T>()[s];
             const bool is_box = s == 0;
             if (!is_box && high < 1) continue;  // round sides meet a step's edge
             const Aabb2<T> box = bounds(slider, Pose2<T>{});
@@ -219,7 +221,7 @@ TYPED_TEST(PlaneGround, KeepsWallsAndSteps) {
 /// Tiles without a size are no ground, and spoil none.
 TYPED_TEST(PlaneGround, BearsTilesWithoutSize) {
   using T = TypeParam;
-  for (const Shape<T>& slider : sliders<T>()) {
+  for (const Shape<T>& slider : bodies_to_slide<T>()) {
     Scene<T> scene;
     for (const double x : {-0.5, 0.5}) scene.fix(Box<T>({1, 1}), {x, -0.5});
     for (const double x : {-1.0, -0.2, 0.0, 0.4}) {

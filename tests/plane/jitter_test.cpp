@@ -10,8 +10,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneJitter : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneJitter : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneJitter, Scalars);
 
 /// A shape that rests: turned so that it stands on what is below it, and how high its middle is then.

@@ -201,8 +201,8 @@ TEST(PlanePolygon, AnEdgeBesideAPieceGivesNoContactOfItsOwn) {
 }
 
 template <class T>
-class PlaneChains : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneChains : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneChains, Scalars);
 
 template <class T>

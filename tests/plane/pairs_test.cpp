@@ -9,8 +9,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlanePairs : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlanePairs : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlanePairs, Scalars);
 
 constexpr int special_kinds = 5;

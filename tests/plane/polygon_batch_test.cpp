@@ -11,8 +11,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneBatchPolygons : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneBatchPolygons : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneBatchPolygons, Scalars);
 
 /// A polygon of up to nine vertices: about a circle, in a strip, on a grid where edges are in line and parallel, or

@@ -48,8 +48,8 @@ bool same(const Distance<T>& a, const Distance<T>& b) {
 }
 
 template <class T>
-class PlaneProximity : public testing::Test {};
-using ProximityScalars = testing::Types<float, double>;
+class PlaneProximity : public ::testing::Test {};
+using ProximityScalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneProximity, ProximityScalars);
 
 TYPED_TEST(PlaneProximity, IsWhatDistancesSay) {

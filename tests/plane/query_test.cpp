@@ -7,8 +7,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneQueries : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneQueries : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneQueries, Scalars);
 
 template <class T, class F>
@@ -25,7 +25,7 @@ void for_random_pairs(int rounds, const F& f) {
 }
 
 template <class T>
-Wide far(const Vec2<T>& a, const Vec2<T>& b) {
+Wide gap_between(const Vec2<T>& a, const Vec2<T>& b) {
   return std::hypot(Wide(a.x) - Wide(b.x), Wide(a.y) - Wide(b.y));
 }
 
@@ -43,7 +43,7 @@ TYPED_TEST(PlaneQueries, DistanceIsTheLargestGapOverAllDirections) {
     }
     // b - a = distance * normal, and moving B by -distance * normal makes the shapes touch.
     const double rounding = 16 * double(std::numeric_limits<T>::epsilon()) * scale * 3;
-    ASSERT_LE(double(far(d.b, d.a + d.normal * d.distance)), 4 * allowed + rounding) << pair;
+    ASSERT_LE(double(gap_between(d.b, d.a + d.normal * d.distance)), 4 * allowed + rounding) << pair;
     const Pose2<T> moved{pose_b.translation - d.normal * d.distance, pose_b.rotation};
     ASSERT_NEAR(double(swept_distance(a, pose_a, b, moved)), 0, 4 * allowed + rounding) << pair;
     const Distance<T> back = distance(b.shape, pose_b, a.shape, pose_a);
@@ -74,7 +74,7 @@ TYPED_TEST(PlaneQueries, ContactsHoldTheDeepestPointAndMirror) {
     double deepest = 1e300;
     for (const ContactPoint<T>& p : there[0].points) {
       deepest = std::min(deepest, double(p.distance));
-      ASSERT_LE(double(far(p.b, p.a + there[0].normal * p.distance)), allowed) << pair;
+      ASSERT_LE(double(gap_between(p.b, p.a + there[0].normal * p.distance)), allowed) << pair;
       // No point of a surface lies outside its shape, nor inside where that is convex: it is its own nearest point.
       ASSERT_LE(std::abs(double(closest(a.shape, pose_a, p.a).distance)), 16 * allowed + on_surface) << pair;
       ASSERT_LE(std::abs(double(closest(b.shape, pose_b, p.b).distance)), 16 * allowed + on_surface) << pair;

@@ -7,8 +7,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneScale : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneScale : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneScale, Scalars);
 
 template <class T>

@@ -9,8 +9,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneSlides : public testing::Test {};
-using Scalars = testing::Types<float, double>;
+class PlaneSlides : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneSlides, Scalars);
 
 TYPED_TEST(PlaneSlides, MeetNoBump) {
@@ -21,7 +21,7 @@ TYPED_TEST(PlaneSlides, MeetNoBump) {
   const std::vector<Floor<T>> all = floors<T>(random);
   for (const Pose2<T>& frame : {Pose2<T>{}, Pose2<T>{{T(20), T(-30)}, Rot2<T>::from_angle(T(0.7))}})
     for (const Floor<T>& floor : all)
-      for (const Slider<T>& body : sliders<T>()) {
+      for (const Slider<T>& body : slides::sliders<T>()) {
         const Faults faults = slide(floor, body, frame, poses, random, [](const Pose2<T>&) {});
         EXPECT_EQ(faults.leaning, 0u) << body.name << " on " << floor.name;
         EXPECT_EQ(faults.nothing, 0u) << body.name << " on " << floor.name;

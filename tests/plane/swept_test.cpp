@@ -10,8 +10,8 @@ namespace graze::plane {
 namespace {
 
 template <class T>
-class PlaneSwept : public testing::Test {};
-using SweptScalars = testing::Types<float, double>;
+class PlaneSwept : public ::testing::Test {};
+using SweptScalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneSwept, SweptScalars);
 
 TYPED_TEST(PlaneSwept, OverlapsWhatTheMovingShapeHits) {
