@@ -80,8 +80,8 @@ void add_corners(const FlatPoints<T>& points, const FlatPoint<T>& a, const FlatP
 /// of them that stands across the direction of sorting.
 template <class T>
 FlatPoints<T> hull_of(const FlatPoints<T>& points, T noise) {
-  const auto from = [&](const FlatPoint<T>& a) {
-    return [&a](const FlatPoint<T>& p) { return (p.x - a.x) * (p.x - a.x) + (p.y - a.y) * (p.y - a.y); };
+  const auto from = [](const FlatPoint<T>& a) {
+    return [a](const FlatPoint<T>& p) { return (p.x - a.x) * (p.x - a.x) + (p.y - a.y) * (p.y - a.y); };
   };
   const FlatPoint<T> first = furthest(points, from(points[0])), last = furthest(points, from(first));
   FlatPoints<T> found, hull;
