@@ -74,8 +74,8 @@ void add_corners(const FlatPoints<T>& points, const FlatPoint<T>& a, const FlatP
   add_corners(outside, corner, b, noise, hull);
 }
 
-/// The corners of the convex hull, counter-clockwise; what is within `noise` of an edge is no corner, and fewer than two
-/// are left where all are at one place. Eddy 1977, "A new convex hull algorithm for planar sets": points that differ by
+/// The corners of the convex hull, counter-clockwise; what is within `noise` of an edge is no corner, and none is left
+/// where all are at one place. Eddy 1977, "A new convex hull algorithm for planar sets": points that differ by
 /// rounding alone change it by no more than that, whereas one that goes through sorted points may lose the end of a row
 /// of them that stands across the direction of sorting.
 template <class T>
@@ -91,15 +91,15 @@ FlatPoints<T> hull_of(const FlatPoints<T>& points, T noise) {
   const std::size_t place_of_last = found.size();
   found.push_back(last);
   add_corners(points, last, first, noise, found);
-  // Those two are corners; of others, the one furthest from a line may be any of an edge that is parallel to it.
+  // First and last are corners; of an edge that is parallel to a line, any point may have been found furthest from it.
   for (std::size_t i = 0; i < found.size(); ++i)
     if (i == 0 || i == place_of_last || RightOf<T>(hull.back(), found[(i + 1) % found.size()], noise).has(found[i]))
       hull.push_back(found[i]);
   return hull;
 }
 
-/// Marks, in `keep`, points of `inner` that are at the place of an earlier one and as deep, but for `noise`: those of an
-/// edge that both of its triangles find.
+/// Unmarks, in `keep`, points of `inner` that are at the place of an earlier one and as deep, but for `noise`: those of
+/// an edge that both of its triangles find.
 template <class T>
 void leave_out_repeats(FlatPoints<T>& inner, T noise, SmallVector<char, 16>& keep) {
   // Sorted along a direction that no model is built along, so that points near each other there are few.

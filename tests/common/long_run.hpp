@@ -1,4 +1,4 @@
-// The bits of six hundred thousand answers as one number.
+// The bits of six hundred and fifty thousand answers as one number.
 //
 // Guarantee: needs nothing but the library, and random numbers that every standard library makes the same.
 #pragma once

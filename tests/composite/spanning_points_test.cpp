@@ -1,4 +1,4 @@
-// The points that span a manifold, against the hull by brute force.
+// The points that span a manifold: of rows, of rectangles, and of any points, against their reach in all directions.
 #include "composite/spanning_points.hpp"
 
 #include <gtest/gtest.h>
@@ -82,8 +82,7 @@ TEST(KeepSpanning, DeeperPointsInsideStay) {
   }
 }
 
-// Any points: no direction finds a dropped one beyond those that are left, no place is held twice, and a half-plane
-// through any two that are left and neighbours has all others on one side.
+// Any points: no direction finds a dropped one beyond those that are left, and no place is held twice.
 TEST(KeepSpanning, NothingIsLeftOutThatReachesFurther) {
   Random random(4);
   for (int i = 0; i < 2000; ++i) {

@@ -123,8 +123,8 @@ TEST(ClosedForms, AgreeWithTheGeneralPath) {
       }
 }
 
-/// The distance of a point at `rho` from the axis and at the height `y`, from the profile of a truncated cone: the least
-/// to its three sides, each a segment, in extended precision; inside it is negative.
+/// The distance of a point at `rho` from the axis and at the height `y`, from the profile of a truncated cone: the
+/// least to its three sides, each a segment, in extended precision; inside it is negative.
 long double distance_to_profile(const Cylinder<double>& shape, long double rho, long double y) {
   const long double h = shape.half_height(), bottom = shape.radius_bottom(), top = shape.radius_top();
   const auto to_segment = [&](long double x0, long double y0, long double x1, long double y1) {

@@ -8,8 +8,8 @@
 
 namespace graze {
 
-/// A truncated cone about Y, whose ends are at -half_height and half_height; a cone where one radius is zero, a cylinder
-/// where both are the same. All three may be zero.
+/// A truncated cone about Y, whose ends are at -half_height and half_height; a cone where one radius is zero, a
+/// cylinder where both are the same. All three may be zero.
 struct FrustumCore {
   double half_height, bottom, top;
 };
@@ -62,8 +62,8 @@ inline ProfileDistance distance_from_profile(const FrustumCore& core, double rho
 
 }  // namespace detail
 
-/// The distance of a point from a core, in whose frame it is given. A point inside leaves by the nearest face, one on the
-/// axis that leaves by the side does so along X.
+/// The distance of a point from a core, in whose frame it is given. A point inside leaves by the nearest face, one on
+/// the axis that leaves by the side does so along X.
 inline OutwardDistance distance_from(const FrustumCore& core, const Vec3d& p) {
   const double rho = length(Vec3d{p.x, 0, p.z});
   const detail::ProfileDistance d = detail::distance_from_profile(core, rho, p.y);

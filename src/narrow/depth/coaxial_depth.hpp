@@ -20,8 +20,8 @@
 
 namespace graze {
 
-/// A unit vector of the half-plane of an axis. Both components are kept: one that is computed of the other loses half of
-/// its digits on flat cones.
+/// A unit vector of the half-plane of an axis. Both components are kept: one that is computed of the other loses half
+/// of its digits on flat cones.
 struct ProfileDirection {
   double across, along;
 };
