@@ -39,7 +39,7 @@ windows=(g++-mingw-w64-x86-64-posix googletest wine wine64)
 
 # The npm package: JSON for the query protocol, where it is tested, and what checks its types. What npm packs is a tarball,
 # made without npm.
-npm=(emscripten nlohmann-json3-dev nodejs chromium node-typescript)
+npm=(emscripten nlohmann-json3-dev nodejs chromium-headless-shell node-typescript)
 
 # What compares the C interface with the recorded one.
 abi=(gcc abigail-tools)
@@ -51,7 +51,7 @@ package=(dpkg-dev fakeroot file python3-dev pybind11-dev python3-numpy)
 python=(python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-pytest python3-matplotlib)
 
 # The lab: what builds it, and the browser in which it is tested.
-lab=(nodejs npm chromium)
+lab=(nodejs npm chromium-headless-shell)
 
 # The site: what reads Markdown and the headers' comments, and what colours code.
 site=(cmark-gfm doxygen python3 python3-pygments)

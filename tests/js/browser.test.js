@@ -55,7 +55,7 @@ test("the checks in headless Chromium", { timeout: 240000 }, async () => {
         const flags = [
           "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
           `--user-data-dir=${profile}`, `http://127.0.0.1:${server.address().port}/`];
-        browser = spawn(process.env.CHROMIUM ?? "chromium", flags, { stdio: "ignore", detached: true });
+        browser = spawn(process.env.CHROMIUM ?? "chromium-headless-shell", flags, { stdio: "ignore", detached: true });
         browser.on("error", reject);
         browser.on("exit", (code) => reject(new Error(`the browser ended with ${code} before the page had`)));
       });
