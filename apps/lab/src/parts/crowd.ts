@@ -2,6 +2,7 @@
 // one for the outlines of those that have one.
 
 import * as THREE from "three";
+import { Paints } from "./paints.ts";
 import { rimMaterial } from "./rim.ts";
 import { color } from "./theme.ts";
 import type { Solid } from "./solid.ts";
@@ -18,13 +19,14 @@ interface Batch { mesh: THREE.InstancedMesh; rim: THREE.InstancedMesh<THREE.Buff
 
 export class Crowd {
   readonly group = new THREE.Group();
+  private readonly paints = new Paints();
   private batches: Batch[] = [];
   private meanings: Meaning[] = [];
   private special: ReadonlyMap<number, Meaning> = new Map();
 
   /** Replaces the bodies. */
   set(looks: Looks[], meanings: Meaning[]): void {
-    this.dispose();
+    this.clear();
     this.meanings = meanings;
     const kinds = new Map<string, number[]>();
     looks.forEach(({ key }, i) => {
@@ -34,9 +36,11 @@ export class Crowd {
     });
     for (const bodies of kinds.values()) {
       const { flat, make } = looks[bodies[0]];
-      const material = new THREE.MeshLambertMaterial({ side: THREE.DoubleSide, transparent: flat, opacity: flat ? 0.4 : 1 });
-      const solid = make(), mesh = new THREE.InstancedMesh(solid.faces, material, bodies.length);
-      const rim = new THREE.InstancedMesh(solid.rim, rimMaterial(solid.rim !== solid.faces), bodies.length);
+      const solid = make(), plane = solid.rim !== solid.faces;
+      const material = this.paints.of("faces", { flat },
+        () => new THREE.MeshLambertMaterial({ side: THREE.DoubleSide, transparent: flat, opacity: flat ? 0.4 : 1 }));
+      const mesh = new THREE.InstancedMesh(solid.faces, material, bodies.length);
+      const rim = new THREE.InstancedMesh(solid.rim, this.paints.of("rim", { plane }, () => rimMaterial(plane)), bodies.length);
       mesh.frustumCulled = rim.frustumCulled = rim.visible = false;
       mesh.userData.bodies = bodies;
       this.batches.push({ mesh, rim, bodies });
@@ -91,14 +95,17 @@ export class Crowd {
     const [first] = caster.intersectObjects(this.batches.map((b) => b.mesh), false);
     return first?.instanceId === undefined ? null : (first.object.userData.bodies as number[])[first.instanceId];
   }
-  dispose(): void {
+  private clear(): void {
     for (const { mesh, rim } of this.batches)
       for (const drawn of [mesh, rim]) {
         drawn.geometry.dispose();
-        (drawn.material as THREE.Material).dispose();
         drawn.dispose();
       }
     this.group.clear();
     this.batches = [];
+  }
+  dispose(): void {
+    this.clear();
+    this.paints.dispose();
   }
 }

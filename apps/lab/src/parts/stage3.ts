@@ -10,6 +10,7 @@ import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Crowd } from "./crowd.ts";
 import { Handles } from "./handles.ts";
 import { LabelPlaces } from "./labels.ts";
+import { Paints } from "./paints.ts";
 import { color, onTheme } from "./theme.ts";
 import { solidOf, type Solid } from "./solid.ts";
 import { length, sub, toWorld } from "./vec.ts";
@@ -40,9 +41,8 @@ export class Stage3 implements Stage, Drawing {
   private readonly handles: Handles;
   private readonly observer: ResizeObserver;
   private readonly stopTheme: () => void;
-  private drawn = new THREE.Group();
-  /** Pictures that are to be discarded. */
-  private left: THREE.Group[] = [];
+  private readonly drawn = new THREE.Group();
+  private readonly paints = new Paints();
   private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look; onTop: boolean }>();
   private texts: { at: Vec; text: string; meaning: Meaning; from?: Vec }[] = [];
   private picks: THREE.Object3D[] = [];
@@ -108,7 +108,7 @@ export class Stage3 implements Stage, Drawing {
     this.observer.disconnect();
     this.controls.dispose();
     this.clear();
-    this.discard();
+    this.paints.dispose();
     this.crowd.dispose();
     this.forget();
     this.renderer.dispose();
@@ -184,17 +184,16 @@ export class Stage3 implements Stage, Drawing {
     const key = JSON.stringify(body.shape);
     const { faces, edges } = this.solid(key, body);
     const opacity = look?.ghost ? 0.12 : look?.wide ? 1 : body.shape.type === "plane" ? 0.25 : 0.55;
-    const material = new THREE.MeshLambertMaterial({
-      color: color(meaning), transparent: opacity < 1, opacity, side: THREE.DoubleSide, depthWrite: opacity === 1,
+    const material = this.paints.of("faces", { color: color(meaning), opacity }, (paint) => new THREE.MeshLambertMaterial({
+      ...paint, transparent: opacity < 1, side: THREE.DoubleSide, depthWrite: opacity === 1,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-    });
+    }));
     const mesh = new THREE.Mesh(faces, material);
     mesh.userData.body = this.picks.length;
     this.picks.push(mesh);
     group.add(mesh);
-    const line = new THREE.LineSegments(edges,
-      new THREE.LineBasicMaterial({ color: color(meaning), transparent: true, opacity: look?.ghost ? 0.35 : 1 }));
-    group.add(line);
+    group.add(new THREE.LineSegments(edges, this.paints.of("edges", { color: color(meaning), opacity: look?.ghost ? 0.35 : 1 },
+      (paint) => new THREE.LineBasicMaterial({ ...paint, transparent: true }))));
     this.drawn.add(group);
     if (look?.label) this.texts.push({ at: body.translation ?? [0, 0, 0], text: look.label, meaning });
   }
@@ -215,10 +214,8 @@ export class Stage3 implements Stage, Drawing {
   }
   point(at: Vec, meaning: Meaning, look?: Look): void {
     const lit = look?.key !== undefined && look.key === this.lit;
-    const dot = new THREE.Sprite(new THREE.SpriteMaterial({
-      color: color(lit ? "touch" : meaning), map: disc(), sizeAttenuation: false, depthTest: false, transparent: true,
-      opacity: look?.ghost ? 0.4 : 1,
-    }));
+    const dot = new THREE.Sprite(this.paints.of("point", { color: color(lit ? "touch" : meaning), opacity: look?.ghost ? 0.4 : 1 },
+      (paint) => new THREE.SpriteMaterial({ ...paint, map: disc(), sizeAttenuation: false, depthTest: false, transparent: true })));
     dot.position.copy(v3(at));
     dot.scale.setScalar(lit || look?.wide ? 0.026 : 0.013);
     dot.renderOrder = 3;
@@ -244,8 +241,8 @@ export class Stage3 implements Stage, Drawing {
     const along = v3(sub(to, from));
     const size = Math.min(this.reach / 22, length(sub(to, from)) / 2);
     if (size > 0) {
-      const head = new THREE.Mesh(coneGeometry, new THREE.MeshBasicMaterial({
-        color: color(meaning), depthTest: false, transparent: true, opacity: look.ghost ? 0.4 : 1 }));
+      const head = new THREE.Mesh(coneGeometry, this.paints.of("head", { color: color(meaning), opacity: look.ghost ? 0.4 : 1 },
+        (paint) => new THREE.MeshBasicMaterial({ ...paint, depthTest: false, transparent: true })));
       head.scale.set(size * 0.35, size, size * 0.35);
       head.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
       head.position.copy(v3(to)).addScaledVector(along.normalize(), -size / 2);
@@ -258,8 +255,8 @@ export class Stage3 implements Stage, Drawing {
     if (points.length > 2) {
       const geometry = new THREE.BufferGeometry().setFromPoints(points.map(v3));
       geometry.setIndex(points.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
-      const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
-        color: color(meaning), transparent: true, opacity: look?.ghost ? 0.1 : 0.35, side: THREE.DoubleSide, depthWrite: false }));
+      const mesh = new THREE.Mesh(geometry, this.paints.of("polygon", { color: color(meaning), opacity: look?.ghost ? 0.1 : 0.35 },
+        (paint) => new THREE.MeshBasicMaterial({ ...paint, transparent: true, side: THREE.DoubleSide, depthWrite: false })));
       mesh.userData.own = true;
       this.drawn.add(mesh);
     }
@@ -273,27 +270,16 @@ export class Stage3 implements Stage, Drawing {
   // --- Frames ---
 
   private clear(): void {
-    this.left.push(this.drawn);
-    this.scene.remove(this.drawn);
-    this.drawn = new THREE.Group();
-    this.scene.add(this.drawn);
+    this.drawn.traverse((object) => {
+      if (object.userData.own) (object as THREE.Mesh).geometry.dispose();
+    });
+    this.drawn.clear();
     this.lines.clear();
     this.texts = [];
     this.picks = [];
     this.dots = [];
     this.spots = [];
     this.wide = [];
-  }
-  /** Discards the last picture once the next one is there: its materials' programs, which take tens of milliseconds to
-   *  compile, live as long as a material uses them. */
-  private discard(): void {
-    for (const group of this.left)
-      group.traverse((object) => {
-        const mesh = object as THREE.Mesh;
-        (mesh.material as THREE.Material | undefined)?.dispose();
-        if (mesh.userData.own) mesh.geometry.dispose();
-      });
-    this.left = [];
   }
   private redraw(): void {
     if (!this.last) return;
@@ -305,11 +291,10 @@ export class Stage3 implements Stage, Drawing {
     for (const { positions, meaning, look, onTop } of this.lines.values()) {
       const geometry = new LineSegmentsGeometry();
       geometry.setPositions(positions);
-      const material = new LineMaterial({
-        color: color(meaning), linewidth: look.wide ? 4 : 2, dashed: look.dashed ?? false, transparent: true,
-        opacity: look.ghost ? 0.4 : 1, dashSize: this.reach / 30, gapSize: this.reach / 40, depthTest: !onTop,
-      });
-      const line = new LineSegments2(geometry, material);
+      const dashes = look.dashed ? { dashed: true, dashSize: this.reach / 30, gapSize: this.reach / 40 } : {};
+      const line = new LineSegments2(geometry, this.paints.of("line",
+        { color: color(meaning), linewidth: look.wide ? 4 : 2, opacity: look.ghost ? 0.4 : 1, depthTest: !onTop, ...dashes },
+        (paint) => new LineMaterial({ ...paint, transparent: true })));
       if (look.dashed) line.computeLineDistances();
       line.renderOrder = onTop ? 2 : 1;
       line.userData.own = true;
@@ -321,9 +306,10 @@ export class Stage3 implements Stage, Drawing {
   }
   private axes(): void {
     if (!this.hasGrid) return;
-    const grid = new THREE.GridHelper(this.reach * 8, 16, color("grid"), color("grid")), lines = grid.material as THREE.Material;
+    const grid = new THREE.GridHelper(this.reach * 8, 16);
     // Lines through bodies that cross the ground would look like edges: they are drawn first, and all else hides them.
-    lines.depthTest = lines.depthWrite = false;
+    grid.material = this.paints.of("grid", { color: color("grid") },
+      (paint) => new THREE.LineBasicMaterial({ ...paint, depthTest: false, depthWrite: false }));
     grid.renderOrder = -1;
     grid.userData.own = true;
     if (this.flat) grid.rotation.x = Math.PI / 2;
@@ -334,7 +320,6 @@ export class Stage3 implements Stage, Drawing {
     this.waiting = requestAnimationFrame(() => {
       this.waiting = 0;
       this.renderer.render(this.scene, this.eye);
-      this.discard();
       this.handles.place();
       this.placeTexts();
     });
