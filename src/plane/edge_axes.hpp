@@ -44,9 +44,10 @@ template <class T>
 using EdgeAxesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a, double slack,
                                 EdgeAxes& out);
 
-/// The edges of the Minkowski difference A - B through which a ray from the origin, which lies outside, may enter it
-/// (Cyrus and Beck 1978, "Generalized two- and three-dimensional clipping"): of the edges that face the ray the one
-/// that is met last, if all that do not are met later.
+/// The edges of the Minkowski difference A - B, moved outward by a radius, through whose lines a ray from the origin,
+/// which lies outside, may enter what is between all of them (Cyrus and Beck 1978, "Generalized two- and
+/// three-dimensional clipping"): of the edges that face the ray the one that is met last, if all that do not are met
+/// later.
 struct EdgeEntries {
   bool regular = false;  ///< whether every edge has a length that floats can hold, and none lies nearly along the ray
   bool missed = false;   ///< whether the ray surely misses the difference
@@ -57,7 +58,7 @@ struct EdgeEntries {
 /// The kernel of these entries, for vertices in T and a ray along the unit vector `direction`.
 template <class T>
 using EdgeEntriesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
-                                   const Vec2d& direction, double slack, EdgeEntries& out);
+                                   double radius, const Vec2d& direction, double slack, EdgeEntries& out);
 
 /// The kernels for both scalars.
 struct EdgeAxesKernels {

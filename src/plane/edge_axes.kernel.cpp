@@ -219,16 +219,17 @@ struct Crossings {
   std::uint32_t along = 0;  ///< edges that the ray may run along, as bits
 
   /// `sign` is 1 for edges of A and -1 for those of B, which the difference has turned by half a turn.
-  [[gnu::always_inline]] Crossings(const Columns<registers>& own, const Heights<registers>& heights,
+  [[gnu::always_inline]] Crossings(const Columns<registers>& own, const Heights<registers>& heights, float radius,
                                    const Vec2d& direction, float sign, float slack) {
     const Beside x(sign * float(direction.x)), y(sign * float(direction.y)), zero(0.0f);
     for (std::uint32_t k = 0; k < registers; ++k) {
+      const Beside height = heights.of[k] + Beside(radius);
       const Beside toward = (own.edge_x[k] * y - own.edge_y[k] * x) * heights.inverse_length[k];
-      const Beside inverse = Beside(1.0f) / toward, t = zero - heights.of[k] * inverse;
+      const Beside inverse = Beside(1.0f) / toward, t = zero - height * inverse;
       const Beside error = (Beside(slack) + abs(t) * Beside(toward_rounding)) * abs(inverse);
       facing[k] = toward >= Beside(least_toward);
       const auto leaving = toward <= Beside(-least_toward);
-      along |= bits_of((!(facing[k] | leaving)) & (heights.of[k] < Beside(slack))) << (k * width);
+      along |= bits_of((!(facing[k] | leaving)) & (height < Beside(slack))) << (k * width);
       upper[k] = t + error;
       last_entry = greatest(last_entry, select(facing[k], t - error, Beside(-infinite)));
       first_exit = least(first_exit, select(leaving, upper[k], Beside(infinite)));
@@ -244,10 +245,10 @@ struct Crossings {
 
 template <std::uint32_t registers, class T>
 [[gnu::always_inline]] inline void enter(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
-                                         const Vec2d& direction, double slack, EdgeEntries& out) {
+                                         double radius, const Vec2d& direction, double slack, EdgeEntries& out) {
   const Measured<registers> both(a, b, b_in_a, out);
-  const Crossings<registers> of_a(both.of_a, both.heights_a, direction, 1, float(slack)),
-      of_b(both.of_b, both.heights_b, direction, -1, float(slack));
+  const Crossings<registers> of_a(both.of_a, both.heights_a, float(radius), direction, 1, float(slack)),
+      of_b(both.of_b, both.heights_b, float(radius), direction, -1, float(slack));
   const auto half = std::make_index_sequence<width / 2>();
   const float last_entry = -least_lane(least(-of_a.last_entry, -of_b.last_entry), half),
               first_exit = least_lane(least(of_a.first_exit, of_b.first_exit), half);
@@ -268,11 +269,11 @@ template <class T>
 
 template <class T>
 [[gnu::flatten]] void edge_entries(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
-                                   const Vec2d& direction, double slack, EdgeEntries& out) {
+                                   double radius, const Vec2d& direction, double slack, EdgeEntries& out) {
   if (a.count <= readable_vertices && b.count <= readable_vertices)
-    enter<readable_vertices / width>(a, b, b_in_a, direction, slack, out);
+    enter<readable_vertices / width>(a, b, b_in_a, radius, direction, slack, out);
   else
-    enter<most_edges / width>(a, b, b_in_a, direction, slack, out);
+    enter<most_edges / width>(a, b, b_in_a, radius, direction, slack, out);
 }
 
 constexpr EdgeAxesKernels kernels{edge_axes<float>, edge_axes<double>, edge_entries<float>, edge_entries<double>};

@@ -19,9 +19,9 @@ bool find_entries(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, cons
   if (!axes_take(a, b, slack, size)) return false;
   const AxesPolygon<T> of_a = axes_polygon(a), of_b = axes_polygon(b);
   if constexpr (std::is_same_v<T, float>)
-    axes_kernels().entries_of_float(of_a, of_b, b_in_a, direction, slack, out);
+    axes_kernels().entries_of_float(of_a, of_b, b_in_a, a.radius + b.radius, direction, slack, out);
   else
-    axes_kernels().entries_of_double(of_a, of_b, b_in_a, direction, slack, out);
+    axes_kernels().entries_of_double(of_a, of_b, b_in_a, a.radius + b.radius, direction, slack, out);
   return out.regular;
 }
 
@@ -44,11 +44,41 @@ class FewEdges {
   std::size_t size_ = 0;
 };
 
+/// How far from the end of a moved edge or of an arc a hit lies at least, relative to the numbers of its place, for the
+/// outline's next part not to be met sooner by rounding: the disc lies behind the edge there by half of the square of
+/// this, which is far more than the rounding of a time.
+constexpr double end_margin = 0x1p-20;
+
+/// The first hit on the outline rounded by `radius`, if the line of the moved edge `e` is the last that the ray enters:
+/// on that edge, or on the disc about the end beyond which it passes. Returns false where that is not sure.
+template <class T>
+bool enter_rounded(DifferenceOutline<T>& outline, const DifferenceEdge& e, double radius, const Vec2d& direction,
+                   DifferenceHit& out) {
+  const double l = length(e.edge);
+  const Vec2d along = e.edge / l, n = right(along);
+  const double t = (-dot(n, e.start) - radius) / -dot(n, direction), at = dot(direction * t - e.start, along);
+  const double margin = end_margin * (std::abs(t) + length(e.start) + l + radius);
+  if (at > margin && at < l - margin) {
+    out.edge = e;
+    return meet_edge(e.start, e.edge, radius, direction, out.on_edge);
+  }
+  const bool before = at < -margin;
+  if (!before && !(at > l + margin)) return false;
+  const DifferenceEdge next = before ? e : outline.after(e), previous = before ? outline.before(e) : e;
+  out.on_disc = {};
+  if (!outline.known() || !meet_disc(next.start, radius, direction, out.on_disc)) return false;
+  out.vertex_a = next.i;
+  // Between the normals of the two edges the disc is the outline.
+  const Vec2d from_vertex = out.on_disc.normal * radius;
+  return dot(from_vertex, previous.edge) > margin * length(previous.edge) &&
+         dot(from_vertex, next.edge) < -margin * length(next.edge);
+}
+
 }  // namespace
 
 template <class T>
 bool entry_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& direction, double size,
-                   DifferenceEntry& out) {
+                   DifferenceHit& out) {
   EdgeEntries entries;
   if (!find_entries(a, b, b_in_a, direction, size, entries)) return false;
   if (entries.missed) return true;
@@ -63,14 +93,18 @@ bool entry_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, con
     if (!few.insert(outline.edge_of_b(static_cast<std::uint32_t>(entries.deepest_a[j]), j))) return false;
   }
   if (!outline.known()) return false;
+  const double radius = a.radius + b.radius;
+  if (radius > 0)
+    return std::any_of(few.begin(), few.end(),
+                       [&](const DifferenceEdge& e) { return enter_rounded(outline, e, radius, direction, out); });
   for (const DifferenceEdge& e : few)
-    if (meet_edge(e.start, e.edge, 0, direction, out.hit)) out.edge = e;
-  return out.hit.t != never;
+    if (meet_edge(e.start, e.edge, 0, direction, out.on_edge)) out.edge = e;
+  return out.on_edge.t != never;
 }
 
 template bool entry_by_axes(const Core<float>&, const Core<float>&, const Pose2d&, const Vec2d&, double,
-                            DifferenceEntry&);
+                            DifferenceHit&);
 template bool entry_by_axes(const Core<double>&, const Core<double>&, const Pose2d&, const Vec2d&, double,
-                            DifferenceEntry&);
+                            DifferenceHit&);
 
 }  // namespace graze::plane

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/plane/vec2.hpp"
+#include "plane/unit_rotation.hpp"
 
 namespace graze::plane {
 
@@ -28,10 +28,10 @@ inline bool surely_above(const Vec2d& start, const Vec2d& edge, double radius) {
 /// end of an edge in `meet_edge`: both are a few units of rounding, and this is far more, since no answer comes of it.
 inline constexpr double beside_rounding = 0x1p-40;
 
-/// Whether a ray from the origin may pass between the ends of an edge that it sees from the front: from the left of the
-/// ray, looking along it, to its right.
-inline bool may_pass(const Vec2d& start, const Vec2d& edge, const Vec2d& direction) {
-  const double slack = beside_rounding * (max_abs(start) + max_abs(edge));
+/// Whether a ray from the origin may pass between the ends of an edge that it sees from the front, from the left of the
+/// ray, looking along it, to its right: both ends moved by no more than `radius`.
+inline bool may_pass(const Vec2d& start, const Vec2d& edge, double radius, const Vec2d& direction) {
+  const double slack = radius + beside_rounding * (max_abs(start) + max_abs(edge) + radius);
   return cross(direction, start) >= -slack && cross(direction, start + edge) <= slack;
 }
 
@@ -40,7 +40,7 @@ inline bool may_pass(const Vec2d& start, const Vec2d& edge, const Vec2d& directi
 inline bool meet_edge(const Vec2d& start, const Vec2d& edge, double radius, const Vec2d& direction, OutlineHit& best) {
   // An edge seen from behind needs no root.
   if (!(dot(right(edge), direction) < 0)) return false;
-  if (radius == 0 && !may_pass(start, edge, direction)) return false;
+  if (!may_pass(start, edge, radius, direction)) return false;
   const double l = length(edge);
   const Vec2d along = edge / l, n = right(along);
   const double toward = -dot(n, direction), above = -dot(n, start) - radius;
@@ -63,7 +63,7 @@ inline bool meet_disc(const Vec2d& center, double radius, const Vec2d& direction
   if (!(along >= 0) || !(under >= 0)) return false;
   const double t = radius > 0 ? along - std::sqrt(under) : along;
   if (!(t < best.t)) return false;
-  best = {greatest(t, 0.0), normalized(direction * t - center, -direction)};
+  best = {greatest(t, 0.0), unit_vector(direction * t - center, -direction)};
   return true;
 }
 

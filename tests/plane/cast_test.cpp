@@ -59,6 +59,25 @@ void expect_first_contacts(bool turning) {
 }
 
 TEST(PlaneCast, TranslationsHitAtTheFirstContact) { expect_first_contacts(false); }
+
+/// Bit for bit, though a cast of two convex shapes that do not turn has a way of its own.
+TEST(PlaneCast, IsTheFirstOfAllContacts) {
+  int hits = 0;
+  for_moving_pairs(false, [&](const auto& a, const auto& pose_a, const auto& of_a, const auto& b, const auto& pose_b,
+                              const auto& of_b, double) {
+    const auto hit = cast<double>(a.shape, pose_a, of_a, b.shape, pose_b, of_b, 1);
+    std::vector<CastHit<double>> all;
+    cast_all<double>(a.shape, pose_a, of_a, b.shape, pose_b, of_b, 1, all);
+    ASSERT_EQ(hit.has_value(), !all.empty());
+    if (!hit) return;
+    ++hits;
+    ASSERT_EQ(hit->t, all[0].t);
+    if (hit->t == 0 || (all.size() > 1 && all[1].t == hit->t)) return;
+    ASSERT_EQ(hit->point, all[0].point);
+    ASSERT_EQ(hit->normal, all[0].normal);
+  });
+  EXPECT_GT(hits, 50);
+}
 TEST(PlaneCast, TurningBodiesHitAtTheFirstContact) { expect_first_contacts(true); }
 
 /// Half-planes that turn, as A and as B, by up to half a turn: shapes are apart before a hit and touch there, and those

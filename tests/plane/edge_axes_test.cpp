@@ -79,7 +79,8 @@ void for_polygon_pairs(int rounds, const F& f) {
         pose.translation = {std::round(pose.translation.x / scale) * scale,
                             std::round(pose.translation.y / scale) * scale};
       if (random() % 64 == 0) pose = {};
-      f(PolygonPair<T>(a, b, pose), scale, "round " + std::to_string(round) + " of " + std::to_string(scale));
+      PolygonPair<T> pair(a, b, pose);
+      f(pair, scale, "round " + std::to_string(round) + " of " + std::to_string(scale));
     }
 }
 
@@ -193,30 +194,72 @@ TYPED_TEST(PlaneEdgeAxes, KernelsOfAllLevelsFindTheNearestEdge) {
   }
 }
 
-// Rays from outside, at the difference and past it, and through its vertices.
-TYPED_TEST(PlaneEdgeAxes, EntriesAreThoseOfTheWalk) {
-  using T = TypeParam;
+/// Rays from outside, at the difference of two polygons and past it, and through its vertices; calls `f` with the pair,
+/// the ray's direction, and the hits that the walk around the difference finds.
+template <class T, class F>
+void for_rays_at_differences(double rounding, F&& f) {
   std::mt19937 random(7);
-  int answered = 0, hits = 0, all = 0;
-  for_polygon_pairs<T>(20000, [&](const auto& pair, double scale, const std::string& name) {
-    if (!(nearest_polygons(pair.core_a, pair.core_b, pair.b_in_a, pair.size).distance > 0)) return;
-    ++all;
+  for_polygon_pairs<T>(20000, [&](auto& pair, double scale, const std::string& name) {
+    pair.core_b.radius = rounding * scale;
+    if (!(nearest_polygons(pair.core_a, pair.core_b, pair.b_in_a, pair.size).distance > pair.core_b.radius)) return;
     std::uniform_real_distribution<double> uniform(-1, 1);
-    const Vec2d beside = Vec2d{uniform(random), uniform(random)} * (random() % 2 ? scale : 0.0);
+    const double x = uniform(random), y = uniform(random);
+    const Vec2d beside = Vec2d{x, y} * (random() % 2 ? scale : 0.0);
     const Vec2d to = pair.core_a.vertex(0) - transform(pair.b_in_a, pair.core_b.vertex(0)) + beside;
     const Vec2d direction = normalized(to);
-    OutlineHit walk;
-    for_each_difference_edge(pair.core_a, pair.core_b, pair.b_in_a,
-                             [&](const DifferenceEdge& e) { meet_edge(e.start, e.edge, 0, direction, walk); });
-    DifferenceEntry axes;
-    if (!entry_by_axes(pair.core_a, pair.core_b, pair.b_in_a, direction, pair.size, axes)) return;
-    ++answered;
-    hits += axes.hit.t != never;
-    ASSERT_EQ(axes.hit.t, walk.t) << name;
-    ASSERT_EQ(axes.hit.normal, walk.normal) << name;
+    DifferenceHit walk;
+    for_each_difference_edge(pair.core_a, pair.core_b, pair.b_in_a, [&](const DifferenceEdge& e) {
+      const double radius = pair.core_b.radius;
+      if (meet_edge(e.start, e.edge, radius, direction, walk.on_edge)) walk.edge = e;
+      if (radius > 0 && meet_disc(e.start, radius, direction, walk.on_disc)) walk.vertex_a = e.i;
+    });
+    f(pair, direction, walk, name);
   });
+}
+
+TYPED_TEST(PlaneEdgeAxes, EntriesAreThoseOfTheWalk) {
+  using T = TypeParam;
+  int answered = 0, hits = 0, all = 0;
+  for_rays_at_differences<T>(
+      0, [&](const auto& pair, const Vec2d& direction, const DifferenceHit& walk, const std::string& name) {
+        ++all;
+        DifferenceHit axes;
+        if (!entry_by_axes(pair.core_a, pair.core_b, pair.b_in_a, direction, pair.size, axes)) return;
+        ++answered;
+        hits += axes.on_edge.t != never;
+        ASSERT_EQ(axes.on_edge.t, walk.on_edge.t) << name;
+        ASSERT_EQ(axes.on_edge.normal, walk.on_edge.normal) << name;
+      });
   EXPECT_GT(answered, all * 3 / 4);
   EXPECT_GT(hits, all / 4);
+}
+
+// On roundings of a hundredth of the size and of half of it, rays meet edges and the discs about vertices.
+TYPED_TEST(PlaneEdgeAxes, EntriesOfRoundedPolygonsAreThoseOfTheWalk) {
+  using T = TypeParam;
+  int answered = 0, edges = 0, discs = 0, all = 0;
+  for (const double rounding : {0.01, 0.5})
+    for_rays_at_differences<T>(
+        rounding, [&](const auto& pair, const Vec2d& direction, const DifferenceHit& walk, const std::string& name) {
+          ++all;
+          DifferenceHit axes;
+          if (!entry_by_axes(pair.core_a, pair.core_b, pair.b_in_a, direction, pair.size, axes)) return;
+          ++answered;
+          const bool on_disc = axes.on_disc.t < axes.on_edge.t;
+          ASSERT_EQ(on_disc, walk.on_disc.t < walk.on_edge.t) << name;
+          const OutlineHit &hit = on_disc ? axes.on_disc : axes.on_edge, &known = on_disc ? walk.on_disc : walk.on_edge;
+          ASSERT_EQ(hit.t, known.t) << name;
+          if (hit.t == never) return;
+          ++(on_disc ? discs : edges);
+          ASSERT_EQ(hit.normal, known.normal) << name;
+          if (on_disc)
+            ASSERT_EQ(axes.vertex_a, walk.vertex_a) << name;
+          else
+            ASSERT_EQ(axes.edge.start, walk.edge.start) << name;
+        });
+  EXPECT_GT(answered, all * 3 / 5);
+  EXPECT_GT(edges, all / 10);
+  EXPECT_GT(discs, all / 40);
 }
 
 // Sizes that floats cannot square are left to the walk, and so are more vertices than the kernel has lanes.
