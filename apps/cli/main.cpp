@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <iterator>
+#include <string>
 #include <system_error>
 
 #include "commands.hpp"
@@ -71,6 +72,12 @@ int main(int argc, char** argv) {
     const int code = run(argc, argv);
     flush_output();
     return code;
+  } catch (const std::system_error& e) {
+    // Printing what no buffer holds fails by itself, and its error names no file.
+    const std::string what =
+        std::ferror(stdout) ? "standard output cannot be written: " + e.code().message() : std::string(e.what());
+    std::fprintf(stderr, "graze: %s\n", what.c_str());
+    return cannot_work;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "graze: %s\n", e.what());
     return cannot_work;

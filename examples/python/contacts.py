@@ -6,7 +6,9 @@ A notebook in a file: each `# %%` begins a cell for an editor that knows them, a
 """
 
 # %% What is drawn with
+import io
 import itertools
+import pathlib
 import sys
 
 import matplotlib
@@ -113,9 +115,28 @@ def picture():
     return figure
 
 
+# %% In a dark page, dark: matplotlib writes colours into styles, and the page's reader chooses between two
+DARK = """<style>@media (prefers-color-scheme: dark) {
+  svg { fill: #e6e6e6 }
+  [style*="fill: #ffffff"] { fill: #16181d !important }
+  [style*="stroke: #000000"], [style*="stroke: #333333"] { stroke: #c8ccd2 !important }
+  [style*="fill: #1d3557"] { fill: #8fb8e8 !important }
+  [style*="stroke: #1d3557"] { stroke: #8fb8e8 !important }
+  [style*="fill: #c1121f"] { fill: #ff6b6b !important }
+  [style*="stroke: #c1121f"] { stroke: #ff6b6b !important }
+}</style>
+"""
+
+
+def write_picture(path):
+    text = io.StringIO()
+    picture().savefig(text, format="svg", metadata={"Date": None})
+    pathlib.Path(path).write_text(text.getvalue().replace("<defs>", DARK + "<defs>", 1))
+
+
 if __name__ == "__main__":
     for (i, shape), (j, other) in itertools.combinations(enumerate(PILE), 2):
         for manifold in plane.contacts(*shape, *other, margin=0.02):
             print(f"{i} touches {j}: normal {np.round(manifold.normal, 3)}, " +
                   ", ".join(f"{p.distance:+.3f} at {np.round(p.position, 2)}" for p in manifold.points))
-    picture().savefig(sys.argv[1] if len(sys.argv) > 1 else "contacts.svg", metadata={"Date": None})
+    write_picture(sys.argv[1] if len(sys.argv) > 1 else "contacts.svg")
