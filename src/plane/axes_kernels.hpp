@@ -20,7 +20,8 @@ AxesPolygon<T> axes_polygon(const Core<T>& core) {
 
 /// The error of the kernel's heights of edges below the origin, relative to the numbers they are made of: floats, of
 /// which the vertices are off by three units (a rotation and a sum), the directions of edges by four, the two products
-/// across and their differences by three more, the inverse of the length by three. Two heights are compared.
+/// across and their differences by three more, the inverse of the length by three, and the sum with a radius, which is
+/// no larger than the sizes, by two. Two heights are compared.
 inline constexpr double height_rounding = 32 * double(std::numeric_limits<float>::epsilon());
 
 /// Sizes whose squares floats hold with all their digits, and those of parts a thousandth as large.
