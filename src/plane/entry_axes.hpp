@@ -8,8 +8,8 @@
 
 namespace graze::plane {
 
-/// The first hits of a ray from the origin on the difference A - B, rounded by the radii of both: on the moved edges, and
-/// on the discs about the vertices.
+/// The first hits of a ray from the origin on the difference A - B, rounded by the radii of both: on the moved edges,
+/// and on the discs about the vertices.
 struct DifferenceHit {
   OutlineHit on_edge{}, on_disc{};
   DifferenceEdge edge{};       ///< of `on_edge`
