@@ -201,6 +201,40 @@ TEST(PlaneCast, ThinBodiesDoNotSlideIntoSeams) {
   expect_no_sliding_into_seams<double>();
 }
 
+/// A solid arch is cut where its top has vertices over those of its opening: what falls edgewise into the plane of a cut
+/// is stopped by the top as elsewhere, at rest upon it and from above, turning or not.
+template <class T>
+void expect_no_falling_into_cuts() {
+  const Shape<T> arch = Polygon<T>(std::vector<Vec2<T>>{{-2, -2},
+                                                        {T(-0.5), -2},
+                                                        {T(-0.5), -1},
+                                                        {T(0.5), -1},
+                                                        {T(0.5), -2},
+                                                        {2, -2},
+                                                        {2, 0},
+                                                        {T(0.5), 0},
+                                                        {T(-0.5), 0},
+                                                        {-2, 0}});
+  for (const Separating separating : {Separating::hit, Separating::ignored})
+    for (const T height : {T(1), T(0.01)})
+      for (const T width : {T(0), T(1e-3)})
+        for (const T above : {T(0), T(1e-7), T(0.3)})
+          for (const T angular : {T(0), T(1e-3)})
+            for (const T x : {T(0.5), T(0.5) + width / 2, T(-0.5), T(0.3)}) {
+              const T half = height / 2;
+              const Shape<T> falling =
+                  width > 0 ? Shape<T>(Box<T>({width, height})) : Shape<T>(Segment<T>({0, -half}, {0, half}));
+              const auto hit =
+                  cast<T>(arch, {}, {}, falling, {{x, half + above}, {}}, {{0, -3}, angular}, T(1), {separating});
+              ASSERT_TRUE(hit) << height << " x " << width << " at " << x << ", " << above << " above";
+              ASSERT_NEAR(hit->t, above / 3, 1e-3);
+            }
+}
+TEST(PlaneCast, ThinBodiesDoNotFallIntoCutsOfPolygons) {
+  expect_no_falling_into_cuts<float>();
+  expect_no_falling_into_cuts<double>();
+}
+
 /// Polygons that spin several times on their way, from near and from far away: where both turn at the same rate about
 /// each other nothing helps but small steps, and all else must not pass a corner that comes round.
 TEST(PlaneCast, SpinningPolygonsAreNeitherMissedNorPassed) {
