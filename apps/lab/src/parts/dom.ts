@@ -26,17 +26,6 @@ export function svg(tag: string, attributes: Attributes = {}, ...children: Child
   return element;
 }
 
-/** Gives an element these children in place of its own, of which those that are equal stay: what has not changed is
- *  neither styled nor laid out anew. Listeners of a child that stays are its old ones. */
-export function renew(parent: Element, children: Node[]): void {
-  children.forEach((child, i) => {
-    const old = parent.childNodes[i];
-    if (!old) parent.append(child);
-    else if (old !== child && !old.isEqualNode(child)) old.replaceWith(child);
-  });
-  while (parent.childNodes.length > children.length) parent.lastChild!.remove();
-}
-
 export const button = (label: string, act: () => void, more: Attributes = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
 

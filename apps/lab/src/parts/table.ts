@@ -1,6 +1,6 @@
 // The numbers beside a drawing. Rows light up with the part of the drawing under the pointer, and the other way round.
 
-import { digits, h, renew } from "./dom.ts";
+import { digits, h } from "./dom.ts";
 
 export interface Row {
   cells: (string | number)[];
@@ -44,11 +44,11 @@ export class Table {
         h("td", { class: "mark" }, h("span", { "aria-hidden": "true" }, mark), h("span", { class: "unseen" }, says)), ...cells);
     });
     this.before = now;
-    if (!this.element.firstChild) this.element.append(h("table", {}, h("caption"), h("thead"), h("tbody")));
-    const [caption, head, body] = this.element.firstElementChild!.children;
-    renew(caption, [new Text(numbers.caption)]);
-    renew(head, [h("tr", {}, h("th", { scope: "col", class: "mark" }, h("span", { class: "unseen" }, "mark")), ...numbers.columns.map((c) => h("th", { scope: "col" }, c)))]);
-    renew(body, rows);
+    this.element.replaceChildren(
+      h("table", {},
+        h("caption", {}, numbers.caption),
+        h("thead", {}, h("tr", {}, h("th", { scope: "col", class: "mark" }, h("span", { class: "unseen" }, "mark")), ...numbers.columns.map((c) => h("th", { scope: "col" }, c)))),
+        h("tbody", {}, ...rows)));
   }
 
   light(key: string | null): void {

@@ -5,7 +5,7 @@ import { lessons } from "../lessons/index.ts";
 import type { Example, Lesson, Step } from "../lessons/lesson.ts";
 import { Choices } from "../parts/choices.ts";
 import { codeOf } from "../parts/code.ts";
-import { h, renew } from "../parts/dom.ts";
+import { h } from "../parts/dom.ts";
 import type { Stage } from "../parts/drawing.ts";
 import { drawGraph } from "../parts/graph.ts";
 import { fit, formula } from "../parts/math.ts";
@@ -33,8 +33,6 @@ export class LessonRoom implements Room {
   private readonly table = new Table();
   private readonly timeline = new Timeline((step) => this.go(step), "step", 900, () => this.remember());
   private readonly still = whenStill(() => this.remember());
-  /** The formulas that are shown, by their texts. */
-  private formulas = new Map<string, Element>();
   private readonly words = h("div", { class: "words", "aria-live": "polite" });
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly plot = h("div", { class: "plot" });
@@ -151,15 +149,13 @@ export class LessonRoom implements Room {
     this.stage.look(wanted);
   }
   private show(): void {
-    const question = this.question(), refusal = (): string | undefined => question && ask(question).error;
     try {
-      // While something is dragged the steps alone are asked for; most of them cannot be made of a refusal.
-      const error = this.settled ? refusal() : undefined;
+      const question = this.question(), error = question && ask(question).error;
       if (error) throw new Error(error);
       this.steps = this.lesson.steps(this.state);
       this.trouble.hidden = true;
     } catch (error) {
-      this.trouble.textContent = `This situation cannot be shown: ${refusal() ?? (error as Error).message}`;
+      this.trouble.textContent = `This situation cannot be shown: ${(error as Error).message}`;
       this.trouble.hidden = false;
       if (this.steps.length === 0) return;
     }
@@ -172,15 +168,13 @@ export class LessonRoom implements Room {
   private paint(): void {
     const step = this.steps[this.step];
     this.timeline.show(this.step, this.steps.length);
-    const before = this.formulas;
-    this.formulas = new Map((step.formula ?? []).map((text) => [text, before.get(text) ?? formula(text)]));
-    renew(this.words, [h("h2", {}, step.title), h("p", {}, step.text), ...this.formulas.values()]);
+    const formulas = (step.formula ?? []).map((text) => formula(text));
+    this.words.replaceChildren(h("h2", {}, step.title), h("p", {}, step.text), ...formulas);
     this.table.show(step.numbers);
     this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
     const handles = this.lesson.handles(this.state).filter(({ id, named }) => !named || step.handles?.includes(id));
     this.stage.draw((drawing) => step.draw(drawing), handles, step.says);
-    // Last, so that the page is laid out once a frame.
-    for (const [text, shown] of this.formulas) if (!before.has(text)) fit(shown);
+    formulas.forEach(fit); // last, so that the page is laid out once a frame
   }
 
   private page(): HTMLElement {
