@@ -115,7 +115,7 @@ def picture():
     return figure
 
 
-# %% In a dark page, dark: matplotlib writes colours into styles, and the page's reader chooses between two
+# %% The picture's colours in a dark page: matplotlib writes those of a light one into the style of each element
 DARK = """<style>@media (prefers-color-scheme: dark) {
   svg { fill: #e6e6e6 }
   [style*="fill: #ffffff"] { fill: #16181d !important }
@@ -131,7 +131,7 @@ DARK = """<style>@media (prefers-color-scheme: dark) {
 def write_picture(path):
     text = io.StringIO()
     picture().savefig(text, format="svg", metadata={"Date": None})
-    pathlib.Path(path).write_text(text.getvalue().replace("<defs>", DARK + "<defs>", 1))
+    pathlib.Path(path).write_text(text.getvalue().replace("<defs>", DARK + "<defs>", 1), encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

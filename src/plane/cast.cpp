@@ -121,18 +121,18 @@ struct MovingPair {
 };
 
 /// The cast of two shapes in one function, in which vectors stay in registers: of convex polygons, rounded or not, that
-/// do not turn and are surely apart at the start. Returns whether they are such; the answer has the bits of
-/// `MovingPair`.
+/// do not turn and are surely apart at the start by the discs around them. Returns whether they are such; the answer has
+/// the bits of `MovingPair`.
 template <class T>
 [[gnu::always_inline]] inline bool
 straight_cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
               const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::optional<CastHit<T>>& out) {
   if (velocity_a.angular != T(0) || velocity_b.angular != T(0) || !is_convex(a) || !is_convex(b)) return false;
-  const Core<T> core_a = convex_core(a), core_b = convex_core(b);
-  if (core_a.kind != CoreKind::polygon || core_b.kind != CoreKind::polygon) return false;
   const Pose2d at_a = at_unit(pose_a), at_b = at_unit(pose_b);
   const auto extent_a = double(extent(a)), extent_b = double(extent(b));
   if (!(discs_apart(at_b.translation - at_a.translation, extent_a, extent_b) > 0)) return false;
+  const Core<T> core_a = convex_core(a), core_b = convex_core(b);
+  if (core_a.kind != CoreKind::polygon || core_b.kind != CoreKind::polygon) return false;
   const Vec2d of_a = converted<double>(velocity_a.linear), of_b = converted<double>(velocity_b.linear);
   const auto hit = straight_contact(core_a, core_b, relative(at_a, at_b), inverse_rotate(at_a.rotation, of_b - of_a),
                                     double(duration), greatest(extent_a, extent_b));

@@ -45,7 +45,7 @@ using EdgeAxesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b
                                 EdgeAxes& out);
 
 /// The edges of the Minkowski difference A - B, moved outward by a radius, through whose lines a ray from the origin,
-/// which lies outside, may enter what is between all of them (Cyrus and Beck 1978, "Generalized two- and
+/// which lies outside, may enter the area that these lines bound (Cyrus and Beck 1978, "Generalized two- and
 /// three-dimensional clipping"): of the edges that face the ray the one that is met last, if all that do not are met
 /// later.
 struct EdgeEntries {

@@ -44,9 +44,9 @@ class FewEdges {
   std::size_t size_ = 0;
 };
 
-/// How far from the end of a moved edge or of an arc a hit lies at least, relative to the numbers of its place, for the
-/// outline's next part not to be met sooner by rounding: the disc lies behind the edge there by half of the square of
-/// this, which is far more than the rounding of a time.
+/// The least distance of a hit from the end of its moved edge or arc, relative to the numbers of its place. So far from
+/// it the outline's next part lies behind, by half of the square of this: far more than the rounding of a time, which
+/// cannot make it the first. Edges of an arc's vertex are longer than that, or the next vertex would be as near.
 constexpr double end_margin = 0x1p-20;
 
 /// The first hit on the outline rounded by `radius`, if the line of the moved edge `e` is the last that the ray enters:
@@ -65,13 +65,17 @@ bool enter_rounded(DifferenceOutline<T>& outline, const DifferenceEdge& e, doubl
   const bool before = at < -margin;
   if (!before && !(at > l + margin)) return false;
   const DifferenceEdge next = before ? e : outline.after(e), previous = before ? outline.before(e) : e;
-  out.on_disc = {};
-  if (!outline.known() || !meet_disc(next.start, radius, direction, out.on_disc)) return false;
-  out.vertex_a = next.i;
+  OutlineHit on_disc;
+  if (!outline.known() || !meet_disc(next.start, radius, direction, on_disc)) return false;
   // Between the normals of the two edges the disc is the outline.
-  const Vec2d from_vertex = out.on_disc.normal * radius;
-  return dot(from_vertex, previous.edge) > margin * length(previous.edge) &&
-         dot(from_vertex, next.edge) < -margin * length(next.edge);
+  const Vec2d from_vertex = on_disc.normal * radius;
+  const double before_it = length(previous.edge), after_it = length(next.edge);
+  if (!(before_it > margin && after_it > margin && dot(from_vertex, previous.edge) > margin * before_it &&
+        dot(from_vertex, next.edge) < -margin * after_it))
+    return false;
+  out.on_disc = on_disc;
+  out.vertex_a = next.i;
+  return true;
 }
 
 }  // namespace

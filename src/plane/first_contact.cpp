@@ -1,7 +1,5 @@
 #include "plane/first_contact.hpp"
 
-#include <limits>
-
 #include "plane/straight_contact.hpp"
 
 namespace graze::plane {

@@ -6,8 +6,10 @@
 
 #include <optional>
 
+#include "plane/difference.hpp"
 #include "plane/entry_axes.hpp"
 #include "plane/first_contact.hpp"
+#include "plane/outline_hit.hpp"
 
 namespace graze::plane {
 

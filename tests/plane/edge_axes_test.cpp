@@ -201,6 +201,7 @@ void for_rays_at_differences(double rounding, F&& f) {
   std::mt19937 random(7);
   for_polygon_pairs<T>(20000, [&](auto& pair, double scale, const std::string& name) {
     pair.core_b.radius = rounding * scale;
+    pair.size += pair.core_b.radius;
     if (!(nearest_polygons(pair.core_a, pair.core_b, pair.b_in_a, pair.size).distance > pair.core_b.radius)) return;
     std::uniform_real_distribution<double> uniform(-1, 1);
     const double x = uniform(random), y = uniform(random);
@@ -260,6 +261,35 @@ TYPED_TEST(PlaneEdgeAxes, EntriesOfRoundedPolygonsAreThoseOfTheWalk) {
   EXPECT_GT(answered, all * 3 / 5);
   EXPECT_GT(edges, all / 10);
   EXPECT_GT(discs, all / 40);
+}
+
+// Beside an edge as short as a rounding lies another disc that is met as early: which one it is the walk decides.
+TEST(PlaneEdgeAxes, DiscsARoundingApartAreLeftToTheWalk) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int met = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const double length = std::pow(10, -16 + 2 * uniform(random));
+    const PolygonPair<double> pair(random_polygon<double>(3, 1, random), Capsule<double>(length, 1),
+                                   at_unit(random_pose<double>(4, random)));
+    const double x = uniform(random), y = uniform(random);
+    const Vec2d direction = normalized(Vec2d{x, y} - pair.b_in_a.translation);
+    const double radius = pair.core_b.radius;
+    if (!(nearest_polygons(pair.core_a, pair.core_b, pair.b_in_a, pair.size).distance > radius)) continue;
+    DifferenceHit walk, axes;
+    for_each_difference_edge(pair.core_a, pair.core_b, pair.b_in_a, [&](const DifferenceEdge& e) {
+      if (meet_edge(e.start, e.edge, radius, direction, walk.on_edge)) walk.edge = e;
+      if (meet_disc(e.start, radius, direction, walk.on_disc)) walk.vertex_a = e.i;
+    });
+    if (!entry_by_axes(pair.core_a, pair.core_b, pair.b_in_a, direction, pair.size, axes)) continue;
+    ++met;
+    const bool on_disc = axes.on_disc.t < axes.on_edge.t;
+    ASSERT_EQ(on_disc ? axes.on_disc.t : axes.on_edge.t, std::min(walk.on_disc.t, walk.on_edge.t)) << round;
+    if (on_disc) {
+      ASSERT_EQ(axes.vertex_a, walk.vertex_a) << round;
+    }
+  }
+  EXPECT_GT(met, 200);
 }
 
 // Sizes that floats cannot square are left to the walk, and so are more vertices than the kernel has lanes.

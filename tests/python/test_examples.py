@@ -16,8 +16,8 @@ def test_the_picture_is_what_the_example_draws(tmp_path):
     example = ROOT / "examples" / "python" / "contacts.py"
     said = subprocess.run([sys.executable, example, drawn], check=True, capture_output=True, text=True).stdout
     assert len(said.splitlines()) == 6 and all("touches" in line for line in said.splitlines())
-    kept = (ROOT / "docs" / "python-contacts.svg").read_text()
+    kept = (ROOT / "docs" / "python-contacts.svg").read_text(encoding="utf-8")
     # Another version of matplotlib draws the same things by other lines.
     if f"Matplotlib v{matplotlib.__version__}," in kept:
-        assert drawn.read_text() == kept
-    assert len(re.findall("#c1121f", drawn.read_text())) == len(re.findall("#c1121f", kept))
+        assert drawn.read_text(encoding="utf-8") == kept
+    assert len(re.findall("#c1121f", drawn.read_text(encoding="utf-8"))) == len(re.findall("#c1121f", kept))

@@ -3,7 +3,8 @@
 
 import type * as THREE from "three";
 
-/** Some times the looks of all meanings in both themes: dashes have a length for each size of a picture. */
+/** The number of materials above which those of old pictures are given up, some times the looks of all meanings in both
+ *  themes: dashes have a length for each size of a picture. */
 const most = 400;
 
 export class Paints {
@@ -13,12 +14,14 @@ export class Paints {
   of<Look extends object, Paint extends THREE.Material>(kind: string, look: Look, make: (look: Look) => Paint): Paint {
     const key = kind + JSON.stringify(look), known = this.made.get(key);
     if (known) return known as Paint;
-    if (this.made.size >= most) this.dispose();
     const material = make(look);
     this.made.set(key, material);
     return material;
   }
-  /** Frees what the graphics card holds; a material that is drawn again takes it again. */
+  /** Frees what the graphics card holds of too many materials. To be called when none is in a picture. */
+  limit(): void {
+    if (this.made.size > most) this.dispose();
+  }
   dispose(): void {
     for (const material of this.made.values()) material.dispose();
     this.made.clear();

@@ -274,6 +274,7 @@ export class Stage3 implements Stage, Drawing {
       if (object.userData.own) (object as THREE.Mesh).geometry.dispose();
     });
     this.drawn.clear();
+    this.paints.limit();
     this.lines.clear();
     this.texts = [];
     this.picks = [];
@@ -294,7 +295,7 @@ export class Stage3 implements Stage, Drawing {
       const dashes = look.dashed ? { dashed: true, dashSize: this.reach / 30, gapSize: this.reach / 40 } : {};
       const line = new LineSegments2(geometry, this.paints.of("line",
         { color: color(meaning), linewidth: look.wide ? 4 : 2, opacity: look.ghost ? 0.4 : 1, depthTest: !onTop, ...dashes },
-        (paint) => new LineMaterial({ ...paint, transparent: true })));
+        (looks) => new LineMaterial({ ...looks, transparent: true })));
       if (look.dashed) line.computeLineDistances();
       line.renderOrder = onTop ? 2 : 1;
       line.userData.own = true;
@@ -309,7 +310,7 @@ export class Stage3 implements Stage, Drawing {
     const grid = new THREE.GridHelper(this.reach * 8, 16);
     // Lines through bodies that cross the ground would look like edges: they are drawn first, and all else hides them.
     grid.material = this.paints.of("grid", { color: color("grid") },
-      (paint) => new THREE.LineBasicMaterial({ ...paint, depthTest: false, depthWrite: false }));
+      (looks) => new THREE.LineBasicMaterial({ ...looks, depthTest: false, depthWrite: false }));
     grid.renderOrder = -1;
     grid.userData.own = true;
     if (this.flat) grid.rotation.x = Math.PI / 2;
