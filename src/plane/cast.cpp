@@ -121,8 +121,8 @@ struct MovingPair {
 };
 
 /// The cast of two shapes in one function, in which vectors stay in registers: of convex polygons, rounded or not, that
-/// do not turn and are surely apart at the start by the discs around them. Returns whether they are such; the answer has
-/// the bits of `MovingPair`.
+/// do not turn and are surely apart at the start by the discs around them. Returns whether they are such; the answer
+/// has the bits of `MovingPair`.
 template <class T>
 [[gnu::always_inline]] inline bool
 straight_cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,

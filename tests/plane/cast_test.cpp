@@ -230,8 +230,8 @@ TEST(PlaneCast, ThinBodiesDoNotSlideIntoSeams) {
   expect_no_sliding_into_seams<double>();
 }
 
-/// A solid arch is cut where its top has vertices over those of its opening: what falls edgewise into the plane of a cut
-/// is stopped by the top as elsewhere, at rest upon it and from above, turning or not.
+/// A solid arch is cut where its top has vertices over those of its opening: what falls edgewise into the plane of a
+/// cut is stopped by the top as elsewhere, at rest upon it and from above, turning or not.
 template <class T>
 void expect_no_falling_into_cuts() {
   const Shape<T> arch = Polygon<T>(std::vector<Vec2<T>>{{-2, -2},
