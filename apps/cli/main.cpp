@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <exception>
 #include <iterator>
-#include <string>
 #include <system_error>
 
 #include "commands.hpp"
@@ -74,9 +73,8 @@ int main(int argc, char** argv) {
     return code;
   } catch (const std::system_error& e) {
     // Printing what no buffer holds fails by itself, and its error names no file.
-    const std::string what =
-        std::ferror(stdout) ? "standard output cannot be written: " + e.code().message() : std::string(e.what());
-    std::fprintf(stderr, "graze: %s\n", what.c_str());
+    std::fprintf(stderr, "graze: %s\n",
+                 (std::ferror(stdout) ? std::system_error(e.code(), unwritten_output) : e).what());
     return cannot_work;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "graze: %s\n", e.what());

@@ -41,7 +41,7 @@ void flush_output() {
   const bool stream_wrote = static_cast<bool>(std::cout.flush());
   const bool file_wrote = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (stream_wrote && file_wrote) return;
-  throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "standard output cannot be written");
+  throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), unwritten_output);
 }
 
 }  // namespace graze::cli

@@ -34,6 +34,9 @@ bool& quiet();
 /// Prints notes to standard error, a line each, unless all is to be quiet.
 void print_notes(const std::vector<std::string>& notes);
 
+/// What is said of an output that did not take every byte, before the reason.
+inline constexpr const char* unwritten_output = "standard output cannot be written";
+
 /// Writes out all that was printed. Throws `std::system_error` unless standard output took every byte of it.
 void flush_output();
 

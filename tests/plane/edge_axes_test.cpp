@@ -194,8 +194,20 @@ TYPED_TEST(PlaneEdgeAxes, KernelsOfAllLevelsFindTheNearestEdge) {
   }
 }
 
+/// The hits that the walk around the difference finds.
+template <class T>
+DifferenceHit hits_of_walk(const PolygonPair<T>& pair, const Vec2d& direction) {
+  const double radius = pair.core_a.radius + pair.core_b.radius;
+  DifferenceHit hit;
+  for_each_difference_edge(pair.core_a, pair.core_b, pair.b_in_a, [&](const DifferenceEdge& e) {
+    if (meet_edge(e.start, e.edge, radius, direction, hit.on_edge)) hit.edge = e;
+    if (radius > 0 && meet_disc(e.start, radius, direction, hit.on_disc)) hit.vertex_a = e.i;
+  });
+  return hit;
+}
+
 /// Rays from outside, at the difference of two polygons and past it, and through its vertices; calls `f` with the pair,
-/// the ray's direction, and the hits that the walk around the difference finds.
+/// the ray's direction, and the hits of the walk.
 template <class T, class F>
 void for_rays_at_differences(double rounding, F&& f) {
   std::mt19937 random(7);
@@ -208,13 +220,7 @@ void for_rays_at_differences(double rounding, F&& f) {
     const Vec2d beside = Vec2d{x, y} * (random() % 2 ? scale : 0.0);
     const Vec2d to = pair.core_a.vertex(0) - transform(pair.b_in_a, pair.core_b.vertex(0)) + beside;
     const Vec2d direction = normalized(to);
-    DifferenceHit walk;
-    for_each_difference_edge(pair.core_a, pair.core_b, pair.b_in_a, [&](const DifferenceEdge& e) {
-      const double radius = pair.core_b.radius;
-      if (meet_edge(e.start, e.edge, radius, direction, walk.on_edge)) walk.edge = e;
-      if (radius > 0 && meet_disc(e.start, radius, direction, walk.on_disc)) walk.vertex_a = e.i;
-    });
-    f(pair, direction, walk, name);
+    f(pair, direction, hits_of_walk(pair, direction), name);
   });
 }
 
@@ -274,13 +280,9 @@ TEST(PlaneEdgeAxes, DiscsARoundingApartAreLeftToTheWalk) {
                                    at_unit(random_pose<double>(4, random)));
     const double x = uniform(random), y = uniform(random);
     const Vec2d direction = normalized(Vec2d{x, y} - pair.b_in_a.translation);
-    const double radius = pair.core_b.radius;
-    if (!(nearest_polygons(pair.core_a, pair.core_b, pair.b_in_a, pair.size).distance > radius)) continue;
-    DifferenceHit walk, axes;
-    for_each_difference_edge(pair.core_a, pair.core_b, pair.b_in_a, [&](const DifferenceEdge& e) {
-      if (meet_edge(e.start, e.edge, radius, direction, walk.on_edge)) walk.edge = e;
-      if (meet_disc(e.start, radius, direction, walk.on_disc)) walk.vertex_a = e.i;
-    });
+    if (!(nearest_polygons(pair.core_a, pair.core_b, pair.b_in_a, pair.size).distance > pair.core_b.radius)) continue;
+    const DifferenceHit walk = hits_of_walk(pair, direction);
+    DifferenceHit axes;
     if (!entry_by_axes(pair.core_a, pair.core_b, pair.b_in_a, direction, pair.size, axes)) continue;
     ++met;
     const bool on_disc = axes.on_disc.t < axes.on_edge.t;

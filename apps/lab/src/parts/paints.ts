@@ -1,5 +1,5 @@
-// The materials of drawings, each made once and kept: a program lives as long as a material uses it, and takes tens of
-// milliseconds to compile, a third of a second where a processor draws.
+// The materials of drawings, each made once and kept: a program lives as long as a material uses it, and to compile
+// those of one picture takes a third of a second where a processor draws.
 
 import type * as THREE from "three";
 

@@ -41,8 +41,8 @@ export const query = process.env.GRAZE
   ? (line) => spawnSync(process.env.GRAZE, ["query"], { input: `${line}\n`, encoding: "utf8" }).stdout.trim()
   : graze.query;
 export const server = process.env.LAB_URL ? { address: process.env.LAB_URL, close() {} } : await serve();
-// The browser without a window: the one with windows loads its own address bar, some 320 files, with each page. A processor
-// draws in place of a graphics card, and puts a page together in a third of the time that its imitation of one takes.
+// The browser without a window: the one with windows loads its own address bar, some 320 files, with each page. Where a
+// processor draws in place of a graphics card, it puts a page together faster without imitating one.
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium-headless-shell",
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing"],
