@@ -1,11 +1,12 @@
 // Batching of the pairs that GJK would answer one by one, for the kernel that decides the overlap of most of them.
 //
-// Guarantee: every pair taken has its answer, by the kernel or alone, when `finish` has been called. Nothing is
-// allocated.
+// Guarantee: every pair taken has its answer, by the kernel or alone, when `finish` has been called. Queues are
+// allocated as the first pair comes that needs them, one for each two forms.
 #pragma once
 
 #include <array>
 #include <iterator>
+#include <memory>
 
 #include "graze/batch.hpp"
 #include "narrow/gjk/mpr_pairs.hpp"
@@ -18,17 +19,18 @@ namespace graze {
 template <class T>
 class PortalKinds {
  public:
-  /// Writes the core of a concrete shape to a side's columns; returns its rounding radius.
-  using Put = T (*)(const void* concrete, const PortalPlace& to);
   struct Kind {
     PortalSide side = PortalSide::none;
-    Put put = nullptr;
+    /// Writes the core of a concrete shape to a side's columns; returns its rounding radius.
+    T (*put)(const void* concrete, const PortalPlace& to) = nullptr;
+    /// The number of a hull's vertices; null for other kinds.
+    std::size_t (*vertices)(const void* concrete) = nullptr;
   };
   constexpr PortalKinds() { set(std::make_index_sequence<Shape<T>::count>()); }
   constexpr const Kind& operator[](std::size_t kind) const { return kinds_[kind]; }
   constexpr bool asks(std::size_t a, std::size_t b) const {
     if (kinds_[a].side == PortalSide::none || kinds_[b].side == PortalSide::none) return false;
-    return smooth(a) || smooth(b) || (a == triangle && flat(b)) || (b == triangle && flat(a));
+    return hull(a) || hull(b) || smooth(a) || smooth(b) || (a == triangle && flat(b)) || (b == triangle && flat(a));
   }
 
  private:
@@ -38,16 +40,21 @@ class PortalKinds {
   }
   template <class C>
   static constexpr Kind kind_of() {
-    if constexpr (portal_side<C> == PortalSide::none)
-      return {};
-    else
-      return {portal_side<C>, [](const void* concrete, const PortalPlace& to) {
-                const C& shape = *static_cast<const C*>(concrete);
-                put_core(shape, to);
-                return rounding_radius(shape, T(0));
-              }};
+    Kind kind;
+    if constexpr (portal_side<C> != PortalSide::none) {
+      kind.side = portal_side<C>;
+      kind.put = [](const void* concrete, const PortalPlace& to) {
+        const C& shape = *static_cast<const C*>(concrete);
+        put_core(shape, to);
+        return rounding_radius(shape, T(0));
+      };
+    }
+    if constexpr (portal_side<C> == PortalSide::hull)
+      kind.vertices = [](const void* concrete) { return static_cast<const C*>(concrete)->data().vertices.size(); };
+    return kind;
   }
   static constexpr std::size_t triangle = detail::kind_of<Triangle<T>, T>();
+  constexpr bool hull(std::size_t kind) const { return kinds_[kind].side == PortalSide::hull; }
   static constexpr bool smooth(std::size_t kind) {
     return kind == detail::kind_of<Cylinder<T>, T>() || kind == detail::kind_of<Ellipsoid<T>, T>();
   }
@@ -67,33 +74,76 @@ class Portals {
   void add(std::size_t i) {
     static constexpr PortalKinds<T> kinds;
     const IdPair p = batch_[i];
-    const std::size_t kind_a = batch_.a().kind(p.a), kind_b = batch_.b().kind(p.b);
+    const Bodies<T>&a = batch_.a(), &b = batch_.b();
+    const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
     if (!kinds.asks(kind_a, kind_b)) {
       touch_[i] = single_(i);
       return;
     }
+    const Kind &first = kinds[kind_a], &second = kinds[kind_b];
+    if (first.vertices || second.vertices) return add_hulls(i, first, second);
     // Sums come first.
-    if (kinds[kind_a].side <= kinds[kind_b].side)
-      put(kinds[kind_a], batch_.a(), p.a, kinds[kind_b], batch_.b(), p.b, i);
+    if (first.side <= second.side)
+      put(first, a, p.a, second, b, p.b, i);
     else
-      put(kinds[kind_b], batch_.b(), p.b, kinds[kind_a], batch_.a(), p.a, i);
+      put(second, b, p.b, first, a, p.a, i);
   }
   void finish() {
-    for (std::size_t number = 0; number < std::size(queues_); ++number) ask(number);
+    for (std::size_t number = 0; number < forms; ++number)
+      if (queues_[number] && queues_[number]->count > 0) ask(number);
   }
 
  private:
+  using Kind = typename PortalKinds<T>::Kind;
   struct Queue {
     std::size_t count = 0;
     PortalPairs pairs;
     std::array<std::size_t, portal_chunk> places;
   };
+  static constexpr std::size_t forms = 6;  ///< of pairs, by `form_of`
+  struct Form {
+    PortalSide a, b;
+    void (*kernel)(const PortalPairs&, std::size_t, std::uint8_t*);
+  };
+  static constexpr std::size_t form_of(PortalSide a, PortalSide b) {
+    const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
+    return first * (5 - first) / 2 + second;
+  }
+  template <PortalSide A, PortalSide B>
+  Form form() const {
+    return {A, B, GRAZE_KERNEL(chosen_isa(), mpr_overlaps<A, B>)};
+  }
 
-  using Kind = typename PortalKinds<T>::Kind;
+  /// Queues a pair with a hull or two, if they have few vertices. Hulls come last.
+  [[gnu::noinline]] void add_hulls(std::size_t i, const Kind& kind_a, const Kind& kind_b) {
+    const IdPair p = batch_[i];
+    const std::size_t vertices_a = vertices_of(kind_a, batch_.a(), p.a),
+                      vertices_b = vertices_of(kind_b, batch_.b(), p.b);
+    if (std::max(vertices_a, vertices_b) > most_portal_points) {
+      touch_[i] = single_(i);
+      return;
+    }
+    const bool in_order = kind_a.side <= kind_b.side;
+    Queue& queue = queue_of(in_order ? form_of(kind_a.side, kind_b.side) : form_of(kind_b.side, kind_a.side));
+    queue.pairs.vertices_a.count[queue.count] = static_cast<std::uint8_t>(in_order ? vertices_a : vertices_b);
+    queue.pairs.vertices_b.count[queue.count] = static_cast<std::uint8_t>(in_order ? vertices_b : vertices_a);
+    if (in_order)
+      put(kind_a, batch_.a(), p.a, kind_b, batch_.b(), p.b, i);
+    else
+      put(kind_b, batch_.b(), p.b, kind_a, batch_.a(), p.a, i);
+  }
+  static std::size_t vertices_of(const Kind& kind, const Bodies<T>& bodies, std::size_t i) {
+    return kind.vertices ? kind.vertices(bodies.concrete(i)) : 0;
+  }
+  Queue& queue_of(std::size_t form) {
+    if (!queues_[form]) queues_[form].reset(new Queue);
+    return *queues_[form];
+  }
+
   void put(const Kind& kind_a, const Bodies<T>& a, std::size_t i, const Kind& kind_b, const Bodies<T>& b, std::size_t j,
            std::size_t pair) {
-    const std::size_t number = (kind_a.side == PortalSide::points) + (kind_b.side == PortalSide::points);
-    Queue& queue = queues_[number];
+    const std::size_t number = form_of(kind_a.side, kind_b.side);
+    Queue& queue = queue_of(number);
     const auto from = [&](std::size_t column) { return PortalPlace{queue.pairs.column + column, queue.count}; };
     const T reach = kind_a.put(a.concrete(i), from(PortalPairs::of_a)) + a.rounding(i) +
                     (kind_b.put(b.concrete(j), from(PortalPairs::of_b)) + b.rounding(j));
@@ -106,11 +156,11 @@ class Portals {
     if (queue.count == portal_chunk) ask(number);
   }
   void ask(std::size_t number) {
-    Queue& queue = queues_[number];
-    if (queue.count == 0) return;
+    const Form& form = forms_[number];
+    Queue& queue = *queues_[number];
     std::uint8_t found[portal_chunk];
-    queue.pairs.fill_up(queue.count);
-    kernels_[number](queue.pairs, queue.count, found);
+    queue.pairs.fill_up(queue.count, form.a, form.b);
+    form.kernel(queue.pairs, queue.count, found);
     for (std::size_t k = 0; k < queue.count; ++k) {
       const std::size_t pair = queue.places[k];
       touch_[pair] = found[k] > 1 ? single_(pair) : found[k];
@@ -118,16 +168,14 @@ class Portals {
     queue.count = 0;
   }
 
-  using Kernel = void (*)(const PortalPairs&, std::size_t, std::uint8_t*);
   const Batch<T>& batch_;
   std::uint8_t* const touch_;
   const Single single_;
-  Isa level_ = chosen_isa();
-  /// Indexed by the number of sides that are points.
-  Kernel kernels_[3] = {GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::sum, PortalSide::sum>),
-                        GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::sum, PortalSide::points>),
-                        GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::points, PortalSide::points>)};
-  Queue queues_[3];
+  const Form forms_[forms] = {
+      form<PortalSide::sum, PortalSide::sum>(),     form<PortalSide::sum, PortalSide::points>(),
+      form<PortalSide::sum, PortalSide::hull>(),    form<PortalSide::points, PortalSide::points>(),
+      form<PortalSide::points, PortalSide::hull>(), form<PortalSide::hull, PortalSide::hull>()};
+  std::unique_ptr<Queue> queues_[forms];
 };
 
 }  // namespace graze

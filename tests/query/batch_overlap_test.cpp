@@ -104,19 +104,27 @@ PortalPairs columns_of(Kind a, Kind b, Random& random) {
   static constexpr PortalKinds<float> kinds;
   PortalPairs pairs;
   for (std::size_t k = 0; k < portal_chunk; ++k) {
-    const auto put = [&](Kind kind, std::size_t core, std::size_t turn) {
-      Specimen specimen = random_specimen(kind, 1, random);
-      const Shape<float> shape = build<float>(specimen);
+    const auto put = [&](Kind kind, std::size_t core, std::size_t turn, PortalPairs::Vertices& vertices) {
+      const auto vertices_of = [](const Shape<float>& shape) {
+        const auto* hull = shape.as<ConvexHull<float>>();
+        return hull ? hull->data().vertices.size() : 0;
+      };
+      Shape<float> shape = build<float>(random_specimen(kind, 1, random));
+      while (vertices_of(shape) > most_portal_points) shape = build<float>(random_specimen(kind, 1, random));
+      vertices.count[k] = static_cast<std::uint8_t>(vertices_of(shape));
       const float radius = shape.visit([&](const auto& concrete) {
         return kinds[shape.index()].put(&concrete, {pairs.column + core, k}) + shape.rounding();
       });
       PortalPlace{pairs.column + turn, k}.put(random_rotation(random));
       return radius;
     };
-    const float reach = put(a, PortalPairs::of_a, PortalPairs::turn_a);
-    PortalPlace{pairs.column + PortalPairs::reach, k}.put(0, reach + put(b, PortalPairs::of_b, PortalPairs::turn_b));
+    const float reach = put(a, PortalPairs::of_a, PortalPairs::turn_a, pairs.vertices_a) +
+                        put(b, PortalPairs::of_b, PortalPairs::turn_b, pairs.vertices_b);
+    PortalPlace{pairs.column + PortalPairs::reach, k}.put(0, reach);
     PortalPlace{pairs.column + PortalPairs::way, k}.put(0, random_vector(random, 1.2f));
   }
+  const auto side = [](Kind kind) { return kind == Kind::hull ? PortalSide::hull : PortalSide::points; };
+  pairs.fill_up(portal_chunk, side(a), side(b));
   return pairs;
 }
 
@@ -143,7 +151,10 @@ TEST(BatchOverlap, PortalsTellOfNearlyAllAndTheSameAtEveryLevel) {
   for (const Kind a : sums) {
     for (const Kind b : sums) ask.operator()<PortalSide::sum, PortalSide::sum>(a, b);
     for (const Kind b : points) ask.operator()<PortalSide::sum, PortalSide::points>(a, b);
+    ask.operator()<PortalSide::sum, PortalSide::hull>(a, Kind::hull);
   }
+  for (const Kind a : points) ask.operator()<PortalSide::points, PortalSide::hull>(a, Kind::hull);
+  ask.operator()<PortalSide::hull, PortalSide::hull>(Kind::hull, Kind::hull);
   ask.operator()<PortalSide::points, PortalSide::points>(Kind::triangle, Kind::triangle);
   EXPECT_LT(unknown * 50, asked);
   EXPECT_GT(apart * 4, asked);

@@ -10,7 +10,7 @@
 // Guarantee: every answer is proven. All lengths are in units of the pair's size, so that no point of D is further than
 // 1 from the line between the origins. A support point along n and its height along n come of some fifty operations on
 // numbers of that size, each right within float's 2^-24: its height is the greatest of D along n within some hundred
-// such roundings. `portal_slack` is three times that. The cores are apart where the height shows a gap of more than the
+// such roundings. So is the inner point of as many points as a side may have. `portal_slack` is three times that. The cores are apart where the height shows a gap of more than the
 // slack, and the origin is inside where it is deeper than the slack inside all four sides of the tetrahedron, which the
 // rounding of its corners cannot undo. Where the two origins are further apart than 2 the roundings grow in proportion,
 // but there every reported gap is right, and a reported overlap would have to be wrong by half the distance. Pairs not
@@ -76,6 +76,43 @@ struct PortalPoints {
     const S third(1.0f / 3);
     return point[0] * (third + fraction.x) + point[1] * (third + fraction.y) +
            point[2] * (third - fraction.x - fraction.y);
+  }
+};
+
+/// The hull of points that the caller holds; lanes with fewer repeat theirs.
+template <class S>
+struct PortalHull {
+  Vec3<S>* point;
+  std::size_t count;
+
+  S size() const {
+    S found(0);
+    for (std::size_t k = 0; k < count; ++k) found = greatest(found, sum_of(abs(point[k])));
+    return found;
+  }
+  void scale(const S& by) {
+    for (std::size_t k = 0; k < count; ++k) point[k] *= by;
+  }
+  Vec3<S> support(const Vec3<S>& d) const {
+    Vec3<S> furthest = point[0];
+    S height = dot(furthest, d);
+    for (std::size_t k = 1; k < count; ++k) {
+      const S other = dot(point[k], d);
+      furthest = select(other > height, point[k], furthest);
+      height = greatest(other, height);
+    }
+    return furthest;
+  }
+  /// An inner point: a mean of all points, whose weights differ by these fractions in turn.
+  Vec3<S> inside(const Vec3<S>& fraction) const {
+    Vec3<S> sum{S(0), S(0), S(0)};
+    S weights(0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const S weight = S(1) + S(3) * (k % 3 == 0 ? fraction.x : k % 3 == 1 ? fraction.y : -(fraction.x + fraction.y));
+      sum += point[k] * weight;
+      weights += weight;
+    }
+    return sum * (S(1) / weights);
   }
 };
 

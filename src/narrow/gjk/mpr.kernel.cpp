@@ -20,14 +20,21 @@ using S = Lanes<float>;
   return {v.x * share, v.y * share, v.z * share, w * share};
 }
 
+/// A side's core in lanes. The vertices of hulls are written to `vertices`.
 template <PortalSide side>
-[[gnu::always_inline]] inline auto core_from(const PortalPairs::Column* columns, std::size_t first) {
-  const Vec3<S> p = vector_from(columns, first), q = vector_from(columns + 3, first);
-  if constexpr (side == PortalSide::points) {
-    return PortalPoints<S>{{p, q, vector_from(columns + 6, first)}};
+[[gnu::always_inline]] inline auto core_from(const PortalPairs::Column* columns, std::size_t first, std::size_t most,
+                                             Vec3<S>* vertices) {
+  if constexpr (side == PortalSide::hull) {
+    for (std::size_t k = 0; k < most; ++k) vertices[k] = vector_from(columns + 3 * k, first);
+    return PortalHull<S>{vertices, most};
   } else {
-    const S widest = max_abs(q), share = select(widest > S(0), S(1) / widest, S(0));
-    return PortalSum<S>{p, q, S::load(columns[6] + first) * share, S::load(columns[7] + first) * share};
+    const Vec3<S> p = vector_from(columns, first), q = vector_from(columns + 3, first);
+    if constexpr (side == PortalSide::points) {
+      return PortalPoints<S>{{p, q, vector_from(columns + 6, first)}};
+    } else {
+      const S widest = max_abs(q), share = select(widest > S(0), S(1) / widest, S(0));
+      return PortalSum<S>{p, q, S::load(columns[6] + first) * share, S::load(columns[7] + first) * share};
+    }
   }
 }
 
@@ -35,9 +42,10 @@ template <PortalSide side>
 
 template <PortalSide A, PortalSide B>
 [[gnu::flatten]] void mpr_overlaps(const PortalPairs& pairs, std::size_t count, std::uint8_t* touch) {
+  Vec3<S> vertices_a[most_portal_points], vertices_b[most_portal_points];
   for (std::size_t first = 0; first < count; first += S::lanes) {
-    auto a = core_from<A>(pairs.column + PortalPairs::of_a, first);
-    auto b = core_from<B>(pairs.column + PortalPairs::of_b, first);
+    auto a = core_from<A>(pairs.column + PortalPairs::of_a, first, pairs.vertices_a.most, vertices_a);
+    auto b = core_from<B>(pairs.column + PortalPairs::of_b, first, pairs.vertices_b.most, vertices_b);
     S reach = S::load(pairs.column[PortalPairs::reach] + first);
     const S unit = S(1) / (a.size() + b.size() + reach);
     a.scale(unit);
@@ -60,6 +68,9 @@ template <PortalSide A, PortalSide B>
 
 template void mpr_overlaps<PortalSide::sum, PortalSide::sum>(const PortalPairs&, std::size_t, std::uint8_t*);
 template void mpr_overlaps<PortalSide::sum, PortalSide::points>(const PortalPairs&, std::size_t, std::uint8_t*);
+template void mpr_overlaps<PortalSide::sum, PortalSide::hull>(const PortalPairs&, std::size_t, std::uint8_t*);
 template void mpr_overlaps<PortalSide::points, PortalSide::points>(const PortalPairs&, std::size_t, std::uint8_t*);
+template void mpr_overlaps<PortalSide::points, PortalSide::hull>(const PortalPairs&, std::size_t, std::uint8_t*);
+template void mpr_overlaps<PortalSide::hull, PortalSide::hull>(const PortalPairs&, std::size_t, std::uint8_t*);
 
 }  // namespace graze::GRAZE_ISA

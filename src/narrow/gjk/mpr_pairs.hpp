@@ -4,6 +4,7 @@
 // rounded to float. Nothing is allocated.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,28 +17,53 @@ namespace graze {
 enum class PortalSide : std::uint8_t {
   sum,     ///< the Minkowski sum of a box and an ellipsoid, about one centre
   points,  ///< the hull of three points, which may be the same
+  hull,    ///< the hull of up to `most_portal_points` points
   none
 };
 
 /// Number of pairs passed in at a time, a multiple of all numbers of lanes.
 inline constexpr std::size_t portal_chunk = 64;
 
+/// Hulls of more vertices take as long alone, where a scan has a register full of them.
+inline constexpr std::size_t most_portal_points = 16;
+static_assert(most_portal_points <= VertexBlock::size, "of a hull one block is read");
+
 struct PortalPairs {
   using Column = float[portal_chunk];
 
   /// The columns of a side: for a sum the half extents, the radii, and the greatest radius of the ellipsoid at the
-  /// box's bottom and at its top, of which one may be smaller than that of the radii; for points their coordinates.
-  static constexpr std::size_t of_a = 0, of_b = 9;
+  /// box's bottom and at its top, of which one may be smaller than that of the radii; for points and hulls their
+  /// coordinates.
+  static constexpr std::size_t of_a = 0, of_b = 3 * most_portal_points;
   /// The quaternions; the offset from A's origin to B's, in the world; the distance that counts as touching.
-  static constexpr std::size_t turn_a = 18, turn_b = 22, way = 26, reach = 29;
+  static constexpr std::size_t turn_a = 2 * of_b, turn_b = turn_a + 4, way = turn_b + 4, reach = way + 3;
 
-  Column column[30];
+  Column column[reach + 1];
+  /// The numbers of vertices of a side's hulls; the most of all, to which fewer are filled up with copies of the first.
+  struct Vertices {
+    std::uint8_t count[portal_chunk];
+    std::size_t most = 0;
+  } vertices_a, vertices_b;
 
-  /// Fills unused lanes up with the last of `count` pairs.
-  void fill_up(std::size_t count) {
-    constexpr std::size_t most_lanes = 16;
-    for (Column& numbers : column)
-      for (std::size_t k = count; k % most_lanes != 0; ++k) numbers[k] = numbers[count - 1];
+  /// Fills unused lanes up with the last of `count` pairs, and hulls up to as many vertices as the largest has.
+  void fill_up(std::size_t count, PortalSide a, PortalSide b) {
+    constexpr std::size_t most_lanes = 16, most_columns = 9;
+    const std::size_t end = (count + most_lanes - 1) / most_lanes * most_lanes;
+    const auto fill_lanes = [&](std::size_t begin, std::size_t columns) {
+      for (std::size_t c = begin; c < begin + columns; ++c)
+        std::fill(column[c] + count, column[c] + end, column[c][count - 1]);
+    };
+    const auto fill_side = [&](std::size_t begin, PortalSide side, Vertices& vertices) {
+      if (side != PortalSide::hull) return fill_lanes(begin, most_columns);
+      vertices.most = *std::max_element(vertices.count, vertices.count + count);
+      for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t c = 3u * vertices.count[k]; c < 3 * vertices.most; ++c)
+          column[begin + c][k] = column[begin + c % 3][k];
+      fill_lanes(begin, 3 * vertices.most);
+    };
+    fill_side(of_a, a, vertices_a);
+    fill_side(of_b, b, vertices_b);
+    fill_lanes(turn_a, reach + 1 - turn_a);
   }
 };
 
@@ -114,6 +140,14 @@ void put_core(const Triangle<T>& triangle, const PortalPlace& to) {
   for (const std::size_t i : {0, 1, 2}) to.put(3 * i, triangle.point(i));
 }
 
+template <class T>
+void put_core(const ConvexHull<T>& hull, const PortalPlace& to) {
+  const VertexBlock& block = hull.data().blocks.front();
+  float* column = to.columns[0] + to.place;
+  for (std::size_t k = 0; k < hull.data().vertices.size(); ++k)
+    for (const float* row : {block.x, block.y, block.z}) *column = row[k], column += portal_chunk;
+}
+
 template <class C>
 inline constexpr PortalSide portal_side = PortalSide::none;
 template <class T>
@@ -132,5 +166,7 @@ template <class T>
 inline constexpr PortalSide portal_side<LineSegment<T>> = PortalSide::points;
 template <class T>
 inline constexpr PortalSide portal_side<Triangle<T>> = PortalSide::points;
+template <class T>
+inline constexpr PortalSide portal_side<ConvexHull<T>> = PortalSide::hull;
 
 }  // namespace graze
