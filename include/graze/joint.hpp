@@ -32,13 +32,14 @@ enum class JointSpace : std::uint8_t { linear, angular };
 
 /// Bounds on one axis of frame A, or on two or three together: then on the length of the part of the offset (or of the
 /// rotation) that lies in them, so that two linear axes make a tube, three a ball, and two angular axes a cone. In
-/// units of length, or in radians.
+/// units of length, or in radians. Turns about one axis are known up to whole ones: the one nearest to the middle of
+/// the bounds counts, and bounds that are a whole turn or more apart bound nothing.
 template <class T>
 struct JointLimit {
   JointSpace space = JointSpace::linear;  ///< along an axis, or about it
   std::array<bool, 3> axes{};             ///< x, y, z of frame A; at least one
   T min = T(0), max = T(0);               ///< min <= max, either may be infinite; equal for what is held
-  std::optional<T> stiffness{};           ///< > 0, force per length or torque per radian beyond the bounds; none: hard
+  std::optional<T> stiffness{};           ///< >= 0, force per length or torque per radian beyond the bounds; none: hard
   T damping = T(0);                       ///< >= 0, of the soft limit: force per velocity
 
   friend bool operator==(const JointLimit&, const JointLimit&) = default;

@@ -57,9 +57,10 @@ GRAZE_API void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape
                            std::vector<PieceDistance<T>>& pieces);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
-/// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin). A surface with `Sides::front`
-/// counts where it is met from the front, and a closed mesh from outside, unless the middle of the other shape is in
-/// the mesh's bounds and these are at least as wide as it: then either side of the surface pushes.
+/// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin), as far as they have contacts:
+/// false where all of these lie on sides of a surface that do not count, though `overlap` is true there. A surface with
+/// `Sides::front` counts where it is met from the front, and a closed mesh from outside, unless the middle of the other
+/// shape is in the mesh's bounds and these are at least as wide as it: then either side of the surface pushes.
 ///
 /// The normal of a manifold is that of a face where this separates the shapes nearly as well as the best direction;
 /// each point has its own true distance along that normal. The deepest point is as deep as `distance` up to a

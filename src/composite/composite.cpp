@@ -68,7 +68,7 @@ bool any_within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, con
   auto beyond = [&](const Part<T>& pa, const Part<T>& pb) {
     return !(convex_distance(pa.shape, pa.pose, pb.shape, pb.pose).distance <= limit);
   };
-  return !visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {limit}, PairVisitor<T>(beyond)) ||
+  return !visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {just_above(limit)}, PairVisitor<T>(beyond)) ||
          any_enclosed(a, pose_a, b, pose_b);
 }
 

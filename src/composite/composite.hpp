@@ -1,6 +1,7 @@
 // Any shape against any shape: composites descend to convex pieces, and the table of pairs answers for those.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -10,6 +11,12 @@
 #include "graze/shape.hpp"
 
 namespace graze {
+
+/// The bound up to which pieces are visited so that none is left out whose distance rounds to `limit`.
+template <class T>
+T just_above(T limit) {
+  return std::nextafter(limit, std::numeric_limits<T>::infinity());
+}
 
 /// With a limit, shapes that are further apart may be answered as infinitely far.
 template <class T>

@@ -52,11 +52,10 @@ struct ManifoldRows {
   Touching<S, Space> touching{};
   FrictionRows<S, Space> friction{};
 
-  /// Sets up the rows of the first `count` points; others push nothing. `points[i]` is a `FoundPoint` for each row,
-  /// `share` the part of a point's impulse that a sub-step has.
+  /// Sets up the rows of the first `count` points; others push nothing. `points[i]` is a `FoundPoint` for each row.
   template <class Points>
-  void prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points, const S& count, T share,
-               std::span<Row> rows);
+  void prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points, const S& count,
+               const WarmStart<T>& warm, std::span<Row> rows);
   void warm_start(std::span<const Row> rows, Bodies& bodies) const;
   /// One pass. With `bias` depth is recovered, without velocities alone count. Returns whether
   /// friction is at its limit.
@@ -113,7 +112,7 @@ void ManifoldRows<S, Space>::set_pressure_center(std::span<Row> rows, const S& c
 template <class S, class Space>
 template <class Points>
 void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points,
-                                     const S& count, T share, std::span<Row> rows) {
+                                     const S& count, const WarmStart<T>& warm, std::span<Row> rows) {
   mass_a = a.mass.mass;
   mass_b = b.mass.mass;
   S loaded(T(0)), number(T(0));
@@ -130,7 +129,9 @@ void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S
     const S effective_mass = inverse_or_zero(mass_a + mass_b + dot(turn_a, r.spin_a) + dot(turn_b, r.spin_b));
     r.effective_mass = select(number < count, effective_mass, S(T(0)));
     const S along = dot(p.impulse, normal);
-    r.impulse = greatest(S(T(0)), along) * share;
+    const S pressed = greatest(S(T(0)), along), whole = pressed * warm.share;
+    r.impulse = warm.of(pressed);
+    const S share = select(r.impulse < whole, r.impulse / select(pressed > S(T(0)), pressed, S(T(1))), S(warm.share));
     across += (p.impulse - normal * along) * share;
     loaded += r.impulse;
     rows[i] = r;
@@ -140,7 +141,7 @@ void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S
   set_pressure_center(rows, count, loaded, arm_a, arm_b);
   friction.prepare(normal, arm_a, arm_b, a.mass, b.mass);
   friction.set_belt(normal, touching.belt);
-  friction.take_over(normal, across, points, share, rows, touching.material, a.velocity, b.velocity);
+  friction.take_over(normal, across, points, warm.share, rows, touching.material, a.velocity, b.velocity);
 }
 
 template <class S, class Space>
@@ -170,6 +171,7 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
   const S moved = dot(bodies.place_b.moved - bodies.place_a.moved, normal);
   const Vec turned_a = turned_back_by(bodies.place_a.turned, normal);
   const Vec turned_b = turned_back_by(bodies.place_b.turned, normal);
+  const Mask bounces = touching.material.restitution > zero;
   for (Row& r : rows) {
     const S s = r.separation + (moved + dot(r.arm_b, turned_b) - dot(r.arm_a, turned_a));
     const S speed = speed_along_normal(r, bodies);
@@ -182,7 +184,9 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
       mass_scale = select(apart, one, select(yields, S(step.soft.mass_scale), one));
     }
     const S change = r.effective_mass * (wanted - speed) * mass_scale - impulse_scale * r.impulse;
-    const S impulse = select(active, greatest(zero, r.impulse + change), r.impulse);
+    // What bounces is not braked before it is met: perhaps it is in the next step, which strikes it.
+    const Mask at_hand = bias ? active : active & ((s <= zero) | (r.impulse > zero) | !bounces);
+    const S impulse = select(at_hand, greatest(zero, r.impulse + change), r.impulse);
     const S more = impulse - r.impulse;
     r.impulse = impulse;
     bodies.a.linear -= normal * (more * mass_a);

@@ -19,9 +19,9 @@ constexpr T damping_ratio = T(2);
 }  // namespace
 
 template <class T>
-ContactStep<T> contact_step(const SubStep<T>& time, T gravity) {
-  const T w = T(2) * std::numbers::pi_v<T> / (period<T> * time.h);
-  return {time, softness(w, damping_ratio<T>, time.h), gravity};
+ContactStep<T> contact_step(const SubStep<T>& time, T gravity, T usual_step, int sub_steps) {
+  const T w = T(2) * std::numbers::pi_v<T> / (period<T> * (usual_step / T(sub_steps)));
+  return {time, softness(w, damping_ratio<T>, time.h), gravity, usual_step};
 }
 
 template <class T>
@@ -30,8 +30,8 @@ T predicted_sink(T strain, T h) {
   return strain / (w * w);
 }
 
-template ContactStep<float> contact_step(const SubStep<float>&, float);
-template ContactStep<double> contact_step(const SubStep<double>&, double);
+template ContactStep<float> contact_step(const SubStep<float>&, float, float, int);
+template ContactStep<double> contact_step(const SubStep<double>&, double, double, int);
 template float predicted_sink(float, float);
 template double predicted_sink(double, double);
 

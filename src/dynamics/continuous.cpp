@@ -132,20 +132,51 @@ struct HeldBody {
   typename Space::Vec carried_by;  ///< how far from its own way, by what it met and goes on
 };
 
-/// Puts a body where it was `late` ago. What flew freely has the speed that it had then, and no more from a fall that
-/// was not.
+/// The angle in a step beyond which a body that is pushed and held back turns too fast for the steps: its contacts lie
+/// elsewhere before they have pushed, so that it is held back in every step and never gets out. The rest of its spin is
+/// taken, as by the blows that a shorter step would show.
+template <class T>
+constexpr T followed_turn = T(1);
+
+/// The turning of a body before it was set back: what flew freely keeps its angular momentum, what was pushed its
+/// angular velocity, which holds for its contacts.
+template <class Space>
+struct TurningBody {
+  typename Space::Turning momentum, angular;
+};
+
+/// Turns a body that was set back as it turned before, or more slowly: it gains no energy by standing otherwise, and
+/// `most` is the speed that steps can follow.
 template <class T, class Space>
-void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typename Space::Pose& at, T late,
+void turn_on(FreeBodyIn<Space>& body, const TurningBody<Space>& before, bool flew, T most) {
+  if (flew)
+    body.angular_momentum = before.momentum;
+  else
+    set_angular_velocity(body, before.angular);
+  const typename Space::Turning angular = angular_velocity(body);
+  const T was = dot(before.angular, before.momentum), is = dot(angular, body.angular_momentum), speed = length(angular);
+  T part = is > was ? std::sqrt(greatest(T(0), was) / is) : T(1);
+  if (speed > most) part = least(part, most / speed);
+  if (part < T(1)) body.angular_momentum = body.angular_momentum * part;
+}
+
+/// Puts a body where it was `late` ago in a step of `dt`. What flew freely has the speed that it had then, and no more
+/// from a fall that was not.
+template <class T, class Space>
+void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typename Space::Pose& at, T late, T dt,
               const HeldBody<Space>& held) {
   SimulatedBody<T, Space>& body = parts.bodies[index];
   const MotionIn<Space> end = parts.motion(index);
+  const TurningBody<Space> turning{body.free.angular_momentum, end.angular};
   const typename Space::Vec acceleration = parts.settings.gravity * body.gravity_factor;
   parts.place(index, at, {});
   T part = held.pushed ? T(0) : T(1);
   if (held.joined) part = part_given_back<T>(end.linear, acceleration, end.center - body.free.center, late);
   body.free.linear = part > T(0) ? end.linear - acceleration * (late * part) : end.linear;
   body.free.linear = keeping_energy<T>(body.free.linear, acceleration, held.carried_by);
-  set_angular_velocity(body.free, end.angular);
+  const bool alone = held.pushed && !held.joined;
+  turn_on<T, Space>(body.free, turning, !held.pushed && !held.joined,
+                    alone ? followed_turn<T> / dt : std::numeric_limits<T>::infinity());
 }
 
 /// The bodies that may have passed through something in this step, kinematic ones among them. What has no bounds, a
@@ -272,7 +303,7 @@ void SimulationParts<T, Space>::hold_back(T dt) {
     if (joined[i] == 0 && bodies[first[i].other].movable) carried[i] = carried_by(first[i]);
     typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
     at.translation += carried[i];
-    set_back<T, Space>(*this, i, at, dt - ends[i], {joined[i] != 0, pushed[i] != 0, carried[i]});
+    set_back<T, Space>(*this, i, at, dt - ends[i], dt, {joined[i] != 0, pushed[i] != 0, carried[i]});
   }
 }
 

@@ -162,6 +162,15 @@ IslandLoad<T> IslandSolver<T, Space>::load(std::span<const SolverPoint<T, Space>
   return load;
 }
 
+/// The force on all bodies together.
+template <class T, class Space>
+T IslandSolver<T, Space>::weight() const {
+  T all(0);
+  for (const IslandBody<T, Space>& body : states_)
+    if (body.movable) all += length(body.influences.acceleration) / body.inverse_mass;
+  return all;
+}
+
 /// Looks for contacts of bodies that were put where they are, and that are deeper than the bodies came in a step.
 template <class T, class Space>
 void IslandSolver<T, Space>::find_overlap(std::span<const SolverPoint<T, Space>> points, T step) {
@@ -180,16 +189,16 @@ void IslandSolver<T, Space>::find_overlap(std::span<const SolverPoint<T, Space>>
 }
 
 template <class T, class Space>
-void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share,
-                                              int least, int most) {
+void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Space>> points, const StepTime<T>& time,
+                                              T gravity, int least, int most) {
   // A body on a joint moves along a chord of its arc: the error is the square of the sub-step, and a quarter of it with
   // two for one.
   sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : contacts_.empty() ? 1 : least;
   placed_.assign(states_.size(), 0);
   overlap_ = false;
   if (contacts_.empty()) return;
-  find_overlap(points, step);
-  const IslandLoad<T> borne = load(points, step, gravity, share);
+  find_overlap(points, time.step);
+  const IslandLoad<T> borne = load(points, time.step, gravity, time.share);
   smallest_ = borne.smallest;
   int last = 0;
   for (const IslandBody<T, Space>& body : states_) {
@@ -197,7 +206,7 @@ void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Spa
     if (body.sub_steps == 0) sub_steps_ = std::max(sub_steps_, std::min(most_for_one, most));
     last = std::max(last, std::min(body.sub_steps, most));
   }
-  sub_steps_ = sub_step_count(borne, step, gravity, last, sub_steps_, most);
+  sub_steps_ = sub_step_count(borne, time.usual_step, gravity, last, sub_steps_, most);
 }
 
 template <class T, class Space>
@@ -277,11 +286,12 @@ void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
 }
 
 template <class T, class Space>
-void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share) {
+void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points, const StepTime<T>& whole, T gravity) {
   contacts_.build(movable_);
-  each_bundle([&](const auto& kernels, const auto& bundle) {
-    kernels.prepare(bundle, bodies_.data(), points.data(), share / T(sub_steps_));
-  });
+  const T step = whole.step, number = T(sub_steps_);
+  const WarmStart<T> warm{whole.share / number, T(1) / number, weight() * step / number};
+  each_bundle(
+      [&](const auto& kernels, const auto& bundle) { kernels.prepare(bundle, bodies_.data(), points.data(), warm); });
   const T h = step / T(sub_steps_);
   SubStep<T> time{h, T(1) / h, step, false};
   joints_.resize(joined_.size());
@@ -289,7 +299,7 @@ void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points
   joint_system_.prepare(joints_, joint_bodies_, movable_);
   time.joined_by_mean = by_mean_ = contacts_.empty() && joint_system_.holds_all();
   for (JointRows<T, Space>& joint : joints_) joint.set_step(time);
-  const ContactStep<T> contact = contact_step(time, gravity);
+  const ContactStep<T> contact = contact_step(time, gravity, whole.usual_step, sub_steps_);
   for (int s = 0; s < sub_steps_; ++s) {
     begin_sub_step(time);
     for (std::size_t j = 0; j < joints_.size(); ++j) {

@@ -15,6 +15,12 @@
 
 namespace graze {
 
+/// A step, the one that springs are made for, and the part of the last step's impulses that this one has.
+template <class T>
+struct StepTime {
+  T step, usual_step, share;
+};
+
 template <class T, class Space>
 class IslandSolver {
  public:
@@ -29,9 +35,9 @@ class IslandSolver {
   void add(JointInPlace<T, Space>& joint, std::uint32_t a, std::uint32_t b);
 
   /// Chooses the number of sub-steps by the impulses of the last step (sub_step_count.hpp), from `least` to `most`.
-  /// `share`: the part of those impulses that this step has.
-  void choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share, int least, int most);
-  void solve(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share);
+  void choose_sub_steps(std::span<const SolverPoint<T, Space>> points, const StepTime<T>& time, T gravity, int least,
+                        int most);
+  void solve(std::span<const SolverPoint<T, Space>> points, const StepTime<T>& time, T gravity);
   /// Writes the impulses to the world's points and to the joints.
   void store(std::span<SolverPoint<T, Space>> points);
 
@@ -56,6 +62,7 @@ class IslandSolver {
   IslandLoad<T> load(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share) const;
   void relax(const ContactStep<T>& step);
   void find_residual();
+  T weight() const;
   T parting();
   template <class F>
   T greatest_speed(const F& of);

@@ -18,7 +18,7 @@ void JointRows<T, Space>::prepare(JointInPlace<T, Space>& joint, const SubStep<T
     row.soft = true;
     row.angle = drive.space == JointSpace::angular;
     row.acceleration = drive.mode == DriveMode::acceleration;
-    row.target = drive.position_target;
+    row.target = row.about = drive.position_target;
     row.target_speed = drive.velocity_target;
     row.stiffness = drive.stiffness;
     row.damping = drive.damping;
@@ -75,7 +75,7 @@ void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row)
   const bool several = count(limit.axes) > 1;
   if (limit.min == limit.max) {
     rows_.push_back(row);
-    rows_.back().target = limit.min;
+    rows_.back().target = rows_.back().about = limit.min;
     return;
   }
   // A turn whose range is a whole one has no end.
@@ -87,14 +87,16 @@ void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row)
     rows_.push_back(row);
     rows_.back().side = sides[i];
     rows_.back().target = bounds[i];
+    rows_.back().about = std::isfinite(bounds[1 - i]) ? (bounds[0] + bounds[1]) / T(2) : bounds[i];
   }
 }
 
 template <class T, class Space>
 void JointRows<T, Space>::store() const {
   joint_->impulses.resize(rows_.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) joint_->impulses[i] = rows_[i].impulse;
-  joint_->impulse_step = step_.h;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    joint_->impulses[i] = rows_[i].impulse * (step_.step * step_.inverse_h);
+  joint_->impulse_step = step_.step;
 }
 
 #define GRAZE_JOINT_ROWS(T, Space)                                                                                     \

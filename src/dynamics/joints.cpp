@@ -33,9 +33,8 @@ T part_of(T error, T drift) {
 /// An angle by whole turns as near to `about` as can be.
 template <class T>
 T nearest_turn(T angle, T about) {
-  if (angle - about > std::numbers::pi_v<T>) return angle - T(2) * std::numbers::pi_v<T>;
-  if (about - angle > std::numbers::pi_v<T>) return angle + T(2) * std::numbers::pi_v<T>;
-  return angle;
+  constexpr T turn = T(2) * std::numbers::pi_v<T>;
+  return angle + turn * std::floor((about - angle) / turn + T(0.5));
 }
 
 template <class Mass, class Turning>
@@ -51,7 +50,7 @@ void JointRows<T, Space>::measure(const SolverBody<T, Space>& a, const SolverBod
   reach_ = length(frames.arm_a) + length(frames.arm_b);
   for (Row& row : rows_) {
     row.at = frames.measured(row.what);
-    const T value = row.what.measure == Measure::twist ? nearest_turn(row.at.value, row.target) : row.at.value;
+    const T value = row.what.measure == Measure::twist ? nearest_turn(row.at.value, row.about) : row.at.value;
     row.error = value - row.target;
   }
   factor(a, b);

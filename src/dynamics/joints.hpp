@@ -26,8 +26,8 @@ struct JointInPlace {
   Joint<T, Space> joint;
   std::uint32_t a{}, b{};                     ///< indices of the bodies, as all arrays have them
   typename Space::Pose frame_a{}, frame_b{};  ///< in the frames of the principal axes about the centres of mass
-  std::vector<T> impulses;  ///< λ of each row, of the last sub-step solved; carried from step to step
-  T impulse_step{};         ///< the duration of that sub-step
+  std::vector<T> impulses;  ///< λ of each row in the last step solved, as its last sub-step had it; carried on
+  T impulse_step{};         ///< the duration of that step
 };
 
 /// Throws `InvalidValue` for frames, limits and drives that are none. The bodies are the caller's to check.
@@ -136,6 +136,7 @@ class JointRows {
     bool soft = false, acceleration = false, angle = false;
     bool active = true;
     T target{}, target_speed{}, stiffness{}, damping{}, max_force{};
+    T about{};  ///< the angle to which those that differ by whole turns are taken: the target, or the middle of bounds
     T impulse{};
     // Values where the bodies are now.
     MeasuredRow<T, Space> at{};

@@ -2,8 +2,9 @@
 //
 // A body that meets something with restitution within the step, or met it within the last one, is first taken along its
 // own flight to the moment of contact; there the blow is struck and passed on through all that touches (`blows.hpp`);
-// for the rest of the step the body flies on. Its energy is that of the closed form, however long the step. Contacts
-// slower than the speed that gravity gives in two steps have no restitution, and rest.
+// for the rest of the step the body flies on, and one that is alone to the next blow if there is one: a box that comes
+// down on a corner has the next one a few milliseconds later. Its energy is that of the closed form, however long the
+// step. Contacts slower than the speed that gravity gives in two steps have no restitution, and rest.
 #include <algorithm>
 #include <limits>
 
@@ -24,6 +25,10 @@ constexpr T bouncing_steps = T(2);
 
 /// Blows that an island strikes in a step, for each contact, at most: rounding alone goes on for longer.
 constexpr std::size_t blows_per_contact = 16;
+
+/// Blows in a step, one after the other, of a body that meets nothing which can be pushed, at most. Of several bodies
+/// each has flown for another time after the first blow, and they would fly into each other.
+constexpr int most_flights = 8;
 
 /// A point of a manifold where the bodies are now, halfway between its two material points.
 template <class T, class Space>
@@ -54,21 +59,44 @@ struct Flight {
   bool supported = false;  ///< something bears it
 };
 
-/// The time from now at which the points of a manifold meet: negative where they have just met, zero where they bore an
-/// impulse before, infinite where they do not bounce.
+/// The part of the step that the further of two bodies has still to fly; what nothing pushes is wherever the other is.
+template <class T, class Space>
+T share_of(const SimulationParts<T, Space>& parts, const ContactPair<T>& pair) {
+  if (parts.movable[pair.a] == 0) return parts.shares[pair.b];
+  if (parts.movable[pair.b] == 0) return parts.shares[pair.a];
+  return least(parts.shares[pair.a], parts.shares[pair.b]);
+}
+
+/// The time at which the points of a manifold meet, from the time to which the further of both bodies has flown:
+/// negative where they have just met, never so where they bore an impulse before or a body has flown to a blow
+/// already; infinite where they do not bounce.
 template <class T, class Space>
 T time_of_blow(const SimulationParts<T, Space>& parts, const ContactPair<T>& pair, const ContactManifold<T, Space>& m,
                std::span<const SolverPoint<T, Space>> points, T slow, T dt) {
   const MotionIn<Space> a = parts.motion(pair.a), b = parts.motion(pair.b);
-  T first = std::numeric_limits<T>::infinity();
-  bool known = false;
+  const T share = share_of(parts, pair);
+  const bool flown = parts.shares[pair.a] != T(1) || parts.shares[pair.b] != T(1);
+  const T gained = slow / bouncing_steps<T>;  // at most, by gravity in the step
+  bool known = flown;
+  T first = std::numeric_limits<T>::infinity(), soonest = first;
   for (const SolverPoint<T, Space>& p : points) {
     known = known || !(p.impulse == typename Space::Vec{});
-    const T speed = -relative_velocity(p, m.normal, a, b).normal;
-    if (speed > slow) first = least(first, p.distance / speed);
+    SolverPoint<T, Space> at = p;
+    if (flown) {
+      const T behind_a = (parts.shares[pair.a] - share) * dt, behind_b = (parts.shares[pair.b] - share) * dt;
+      at.a = moved<T, Space>(parts.before[pair.a], parts.bodies[pair.a].free, p.a);
+      at.b = moved<T, Space>(parts.before[pair.b], parts.bodies[pair.b].free, p.b);
+      at.a += velocity_at(a, at.a) * behind_a;
+      at.b += velocity_at(b, at.b) * behind_b;
+      at.distance = dot(at.b - at.a, m.normal);
+    }
+    const T speed = -relative_velocity(at, m.normal, a, b).normal;
+    if (!(speed > slow)) continue;
+    first = least(first, at.distance / speed);
+    soonest = least(soonest, at.distance / (speed + gained));
   }
-  if (first > dt) return std::numeric_limits<T>::infinity();
-  return known ? T(0) : greatest(first, -dt);
+  if (soonest > dt * share) return std::numeric_limits<T>::infinity();
+  return greatest(least(first, dt * share), known ? T(0) : -dt);
 }
 
 /// Takes the struck body along its flight to the blow.
@@ -78,7 +106,7 @@ void fly(SimulationParts<T, Space>& parts, std::uint32_t index, const Flight<T>&
   const typename Space::Vec acceleration =
       flight.supported ? typename Space::Vec{} : parts.settings.gravity * body.gravity_factor;
   advance(body.free, acceleration, flight.until);
-  parts.shares[index] = (dt - flight.until) / dt;
+  parts.shares[index] = (dt * parts.shares[index] - flight.until) / dt;
 }
 
 /// The blows of an island and its bodies, side by side.
@@ -179,57 +207,67 @@ void take_over(SimulationParts<T, Space>& parts, const IslandBlows<T, Space>& is
 
 }  // namespace
 
+/// Takes the bodies of an island to their next blows, and strikes these. Returns whether there are any.
+template <class T, class Space>
+bool SimulationParts<T, Space>::strike_next(const Islands::Range& range, T slow, T dt) {
+  const ContactArrays<T, Space>& contacts = world.contacts();
+  const auto members = islands.bodies_of(range);
+  std::vector<Flight<T>> flights(members.size());
+  const auto flight_of = [&](std::uint32_t index) -> Flight<T>* {
+    if (movable[index] == 0) return nullptr;
+    return &flights[static_cast<std::size_t>(std::lower_bound(members.begin(), members.end(), index) -
+                                             members.begin())];
+  };
+  bool struck = false;
+  for (const std::uint32_t l : islands.links_of(range)) {
+    const ContactPair<T>* pair = contact_of(l);
+    if (!pair) continue;
+    const bool bouncy = material_of(*pair).restitution > T(0);
+    const T share = share_of(*this, *pair);
+    for (const ContactManifold<T, Space>& m : contacts.manifolds_of(*pair)) {
+      const auto points = contacts.points_of(m);
+      const T t =
+          bouncy ? time_of_blow<T, Space>(*this, *pair, m, points, slow, dt) : std::numeric_limits<T>::infinity();
+      const bool bears = std::any_of(points.begin(), points.end(), [](const SolverPoint<T, Space>& p) {
+        return !(p.impulse == typename Space::Vec{});
+      });
+      const bool meets = t < std::numeric_limits<T>::infinity();
+      struck = struck || meets;
+      for (const std::uint32_t i : {pair->a, pair->b}) {
+        Flight<T>* flight = flight_of(i);
+        if (!flight) continue;
+        flight->supported = flight->supported || bears;
+        if (meets && length(motion(i).linear) > slow)
+          flight->until = least(flight->until, t + (shares[i] - share) * dt);
+      }
+    }
+  }
+  if (!struck) return false;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (flights[i].until < std::numeric_limits<T>::infinity()) fly(*this, members[i], flights[i], dt);
+  IslandBlows<T, Space> blows;
+  gather(*this, range, blows);
+  pass_on<T>(blows.bodies, blows.blows, blows.points, blows.impulses, slow, blows_per_contact * blows.blows.size());
+  rub(blows);
+  take_over(*this, blows, members.size());
+  return true;
+}
+
 template <class T, class Space>
 void SimulationParts<T, Space>::pass_blows_on(T dt) {
   const T slow = bouncing_steps<T> * length(settings.gravity) * dt;
-  const ContactArrays<T, Space>& contacts = world.contacts();
-  std::vector<Flight<T>> flights;
-  IslandBlows<T, Space> blows;
   for (std::size_t k = 0; k < awake.size(); ++k) {
     if (awake[k] == 0) continue;
     const Islands::Range& range = islands.ranges()[k];
-    const auto members = islands.bodies_of(range);
     const auto links_here = islands.links_of(range);
     const bool bounces = std::any_of(links_here.begin(), links_here.end(), [&](std::uint32_t l) {
       const ContactPair<T>* pair = contact_of(l);
       return pair && material_of(*pair).restitution > T(0);
     });
     if (!bounces) continue;
-    flights.assign(members.size(), {});
-    bool struck = false;
-    const auto flight_of = [&](std::uint32_t index) -> Flight<T>* {
-      if (movable[index] == 0) return nullptr;
-      return &flights[static_cast<std::size_t>(std::lower_bound(members.begin(), members.end(), index) -
-                                               members.begin())];
-    };
-    for (const std::uint32_t l : links_here) {
-      const ContactPair<T>* pair = contact_of(l);
-      if (!pair) continue;
-      const bool bouncy = material_of(*pair).restitution > T(0);
-      for (const ContactManifold<T, Space>& m : contacts.manifolds_of(*pair)) {
-        const auto points = contacts.points_of(m);
-        const T t =
-            bouncy ? time_of_blow<T, Space>(*this, *pair, m, points, slow, dt) : std::numeric_limits<T>::infinity();
-        const bool bears = std::any_of(points.begin(), points.end(), [](const SolverPoint<T, Space>& p) {
-          return !(p.impulse == typename Space::Vec{});
-        });
-        struck = struck || t <= dt;
-        for (const std::uint32_t i : {pair->a, pair->b}) {
-          Flight<T>* flight = flight_of(i);
-          if (!flight) continue;
-          flight->supported = flight->supported || bears;
-          if (t <= dt && length(motion(i).linear) > slow) flight->until = least(flight->until, t);
-        }
-      }
+    const int most = range.body_count == 1 ? most_flights : 1;
+    for (int flight = 0; flight < most && strike_next(range, slow, dt); ++flight) {
     }
-    if (!struck) continue;
-    for (std::size_t i = 0; i < members.size(); ++i)
-      if (flights[i].until <= dt) fly(*this, members[i], flights[i], dt);
-    blows = {};
-    gather(*this, range, blows);
-    pass_on<T>(blows.bodies, blows.blows, blows.points, blows.impulses, slow, blows_per_contact * blows.blows.size());
-    rub(blows);
-    take_over(*this, blows, members.size());
   }
 }
 

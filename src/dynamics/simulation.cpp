@@ -229,6 +229,7 @@ void Simulation<T, Space>::step(T dt) {
   for (std::size_t i = 0; i < p.bodies.size(); ++i) p.before[i] = p.bodies[i].free;
   p.shares.assign(p.bodies.size(), T(1));
   const auto collided = Clock::now();
+  p.usual_step = greatest(dt, usual_step_kept<T> * p.usual_step);
   p.find_islands();
   p.pass_blows_on(dt);
   const auto prepared = Clock::now();

@@ -86,6 +86,7 @@ struct SimulationParts {
   std::vector<FreeBodyIn<Space>> before;  ///< state of the bodies at the beginning of the step
   std::vector<T> shares;                  ///< of the step that each body has: less where it was moved ahead to a blow
   T last_step{};
+  T usual_step{};  ///< the last step, or a longer one before it (`usual_step_kept`)
   StepReport<T, Space> last{};
 
   Scales<T> scales(T dt) const { return {length(settings.gravity), dt}; }
@@ -115,10 +116,11 @@ struct SimulationParts {
   void solve_island(IslandSolver<T, Space>& solver, const Islands::Range& island, T dt, Executor* threads);
   IslandBody<T, Space> island_body(std::uint32_t index) const;
   void pass_blows_on(T dt);  // restitution.cpp
+  bool strike_next(const Islands::Range& range, T slow, T dt);
   void solve_islands(T dt);
-  void hold_back(T dt);                       // continuous.cpp
-  bool is_carried(std::uint32_t link) const;  // sleep.cpp
-  void put_to_sleep(T dt);                    // sleep.cpp
+  void hold_back(T dt);                      // continuous.cpp
+  bool is_driven(std::uint32_t link) const;  // sleep.cpp
+  void put_to_sleep(T dt);                   // sleep.cpp
   void move_world();
 };
 

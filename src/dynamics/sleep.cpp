@@ -43,13 +43,16 @@ void SimulationParts<T, Space>::wake_around(std::uint32_t index) {
   }
 }
 
-/// Whether one of a link's bodies has a surface that runs, as a belt's does: it carries the other for as long as it is
-/// awake, however slowly.
+/// Whether a link moves its bodies for as long as they are awake, however slowly: a surface of one of them runs, as a
+/// belt's does, or a drive has a speed to keep.
 template <class T, class Space>
-bool SimulationParts<T, Space>::is_carried(std::uint32_t link) const {
+bool SimulationParts<T, Space>::is_driven(std::uint32_t link) const {
   const ContactPair<T>* pair = contact_of(link);
   const auto runs = [&](std::uint32_t i) { return !(bodies[i].material.surface_velocity == typename Space::Vec{}); };
-  return pair && (runs(pair->a) || runs(pair->b));
+  if (pair) return runs(pair->a) || runs(pair->b);
+  const std::vector<JointDrive<T>>& drives =
+      joints[link_pairs[link] - world.contacts().pairs.size()].in_place.joint.drives;
+  return std::any_of(drives.begin(), drives.end(), [](const JointDrive<T>& d) { return d.velocity_target != T(0); });
 }
 
 template <class T, class Space>
@@ -60,7 +63,7 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
     if (awake[k] == 0) continue;
     const auto members = islands.bodies_of(islands.ranges()[k]);
     const auto links_here = islands.links_of(islands.ranges()[k]);
-    bool still = std::none_of(links_here.begin(), links_here.end(), [&](std::uint32_t l) { return is_carried(l); });
+    bool still = std::none_of(links_here.begin(), links_here.end(), [&](std::uint32_t l) { return is_driven(l); });
     for (const std::uint32_t i : members) {
       SimulatedBody<T, Space>& body = bodies[i];
       const MotionIn<Space> m = motion(i);
@@ -68,9 +71,10 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
       body.rested = speed < resting_speed<T> * scale.speed(body.size) ? body.rested + dt : T(0);
       const T long_enough = greatest(resting_time<T> * scale.time(body.size), resting_steps<T> * dt);
       still = still && body.may_sleep && body.rested >= long_enough;
+      // What nothing holds goes on, however slowly.
+      still = still && (!links_here.empty() || speed == T(0));
     }
     if (!still) continue;
-    // A body without contacts that is slow for a moment only, at the top of its flight, does not get here.
     for (const std::uint32_t i : members) {
       SimulatedBody<T, Space>& body = bodies[i];
       body.asleep = true;
@@ -85,7 +89,7 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
 #define GRAZE_SLEEP(T, Space)                                                                                          \
   template void SimulationParts<T, Space>::wake(std::uint32_t);                                                        \
   template void SimulationParts<T, Space>::wake_around(std::uint32_t);                                                 \
-  template bool SimulationParts<T, Space>::is_carried(std::uint32_t) const;                                            \
+  template bool SimulationParts<T, Space>::is_driven(std::uint32_t) const;                                             \
   template void SimulationParts<T, Space>::put_to_sleep(T);
 GRAZE_SLEEP(float, Space<float>)
 GRAZE_SLEEP(double, Space<double>)

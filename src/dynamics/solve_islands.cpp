@@ -37,9 +37,11 @@ void SimulationParts<T, Space>::find_islands() {
   islands.find(movable, links);
 
   awake.assign(islands.ranges().size(), 0);
+  // What nothing pushes wakes what it touches where it moves, and where it has just been put.
   const auto drifts = [&](std::uint32_t i) {
-    return movable[i] == 0 && bodies[i].moves &&
-           !(bodies[i].free.linear == typename Space::Vec{} && bodies[i].spin == typename Space::Turning{});
+    if (movable[i] != 0) return false;
+    return bodies[i].placed || (bodies[i].moves && !(bodies[i].free.linear == typename Space::Vec{} &&
+                                                     bodies[i].spin == typename Space::Turning{}));
   };
   for (std::size_t k = 0; k < awake.size(); ++k) {
     const Islands::Range& r = islands.ranges()[k];
@@ -99,8 +101,9 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
         {material_of(*pair), belt_of(body_b, pair->b) - belt_of(body_a, pair->a), least(body_a.size, body_b.size)}};
     solver.add(touching, contacts.manifolds_of(*pair));
   }
-  solver.choose_sub_steps(contacts.points, dt, gravity, share, settings.sub_steps, settings.most_sub_steps);
-  solver.solve(contacts.points, dt, gravity, share);
+  const StepTime<T> time{dt, usual_step, share};
+  solver.choose_sub_steps(contacts.points, time, gravity, settings.sub_steps, settings.most_sub_steps);
+  solver.solve(contacts.points, time, gravity);
   solver.store(contacts.points);
   for (std::uint32_t i = 0; i < members.size(); ++i) {
     bodies[members[i]].free = solver.body(i);

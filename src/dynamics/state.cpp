@@ -22,7 +22,7 @@ struct State<T, Space>::Kept {
   std::vector<typename Space::Vec> impulses;  ///< in the order of pairs
   SimulationSettings<T, Space> settings;
   StepReport<T, Space> last;
-  T last_step{};
+  T last_step{}, usual_step{};
 };
 
 template <class T, class Space>
@@ -112,6 +112,7 @@ State<T, Space> Simulation<T, Space>::save() const {
   kept.settings = p.settings;
   kept.last = p.last;
   kept.last_step = p.last_step;
+  kept.usual_step = p.usual_step;
   return state;
 }
 
@@ -145,6 +146,7 @@ void Simulation<T, Space>::restore(const State<T, Space>& state) {
   p.settings = kept.settings;
   p.last = kept.last;
   p.last_step = kept.last_step;
+  p.usual_step = kept.usual_step;
 }
 
 template <class T, class Space>

@@ -151,7 +151,7 @@ void read_plane_ray(const JsonValue& json, PlaneQuestion<T>& q) {
   json.keys({"origin", "direction", "length"});
   q.ray = plane::Ray<T>{read_vector2<T>(json.at("origin")), read_vector2<T>(json.at("direction"))};
   if (q.ray->direction == plane::Vec2<T>{}) json.at("direction").fail("a direction that is not zero");
-  if (const auto l = json.find("length")) q.ray_length = l->positive_or_zero<T>();
+  if (const auto l = json.find("length")) q.ray_length = l->length<T>();
 }
 
 /// Checks a motion: the end of a body's way is a coordinate like any other, and a half-plane does not turn.

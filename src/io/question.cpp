@@ -30,7 +30,7 @@ Ray<T> read_ray(const JsonValue& json, T& length) {
   json.keys({"origin", "direction", "length"});
   const Ray<T> ray{json.at("origin").vector<T>(), json.at("direction").vector<T>()};
   if (ray.direction == Vec3<T>{}) json.at("direction").fail("a direction that is not zero");
-  if (const auto l = json.find("length")) length = l->positive_or_zero<T>();
+  if (const auto l = json.find("length")) length = l->length<T>();
   return ray;
 }
 

@@ -90,7 +90,7 @@ Shape<T> read_height_field(const JsonValue& json) {
 
   std::vector<T> heights;
   for (const JsonValue& value : list.elements())
-    heights.push_back(value.json().is_null() ? std::numeric_limits<T>::quiet_NaN() : value.number<T>());
+    heights.push_back(value.json().is_null() ? std::numeric_limits<T>::quiet_NaN() : value.coordinate<T>());
   return built(json, [&] { return Shape<T>(HeightField<T>(columns, rows, std::move(heights), dx, dz)); });
 }
 

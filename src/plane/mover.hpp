@@ -40,7 +40,8 @@ struct Mover {
   Gain gain(double height) const {
     const double speed = std::abs(velocity.angular);
     if (speed == 0 || !(height < reach)) return {};
-    const double beside = std::sqrt((reach - height) * (reach + height));
+    // Of a point on the origin, rounding may take the height below its reach.
+    const double beside = std::sqrt(greatest((reach - height) * (reach + height), 0.0));
     return {speed * beside, speed * speed * greatest(-height, 0.0) / 2, reach - height};
   }
 };

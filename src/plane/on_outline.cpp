@@ -68,6 +68,15 @@ bool feature_has_normal(const Core<T>& core, std::uint32_t feature, const Vec2d&
   return core.outline[dot(right(core.edge(0)), n) > 0 ? 0 : 1].outer;
 }
 
+}  // namespace
+
+template <class T>
+bool on_cut(const Core<T>& core, std::uint32_t feature, const Vec2d& n) {
+  return core.outline && !core.chain && is_edge(feature) && !core.outline[vertex_of(core, feature, n)].outer;
+}
+
+namespace {
+
 /// Whether `n`, known to within `off`, is the normal of one of the outline's edges that end at vertex i. The search for
 /// the nearest points of curved cores names an edge by its nearer end, which may be a reflex vertex.
 template <class T>
@@ -239,6 +248,7 @@ Nearest way_out(const Core<T>& piece, const Vec2d& inside) {
 
 #define GRAZE_PLANE_OUTLINES(T)                                                                                        \
   template bool on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, double);                    \
+  template bool on_cut(const Core<T>&, std::uint32_t, const Vec2d&);                                                   \
   template Doubt doubt(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, double);                         \
   template std::optional<OnOutline> least_overlap_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&);          \
   template std::optional<OnOutline> nearest_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, \

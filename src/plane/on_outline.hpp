@@ -16,6 +16,10 @@ namespace graze::plane {
 template <class T>
 bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size);
 
+/// Whether a feature of a piece of a polygon, the one along `n` in its frame, is a cut.
+template <class T>
+bool on_cut(const Core<T>& core, std::uint32_t feature, const Vec2d& n);
+
 /// The doubt whether such a normal belongs to the outlines: the error that it must have for that, zero where its
 /// rounding is enough, and the error that it may have. Of polygons both are rounding.
 struct Doubt {

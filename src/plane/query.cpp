@@ -17,6 +17,22 @@ namespace graze::plane {
 
 namespace {
 
+/// A core to which any normal belongs if it is a chain's: but for its contacts a chain is a line.
+template <class T>
+Core<T> as_line(Core<T> core) {
+  if (core.chain) core.outline = nullptr;
+  return core;
+}
+
+/// Whether cores overlap, or touch on a cut of a polygon, which is inside of it.
+template <class T>
+bool may_lie_on_cut(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found) {
+  if (found.distance < 0) return true;
+  if (found.distance > touching_rounding * (pair.size() + max_abs(b_in_a.translation))) return false;
+  return on_cut(pair.a, found.a.feature, found.normal) ||
+         on_cut(pair.b, found.b.feature, inverse_rotate(b_in_a.rotation, -found.normal));
+}
+
 /// The answer of a pair of convex shapes in world space, in double.
 template <class T>
 Distance<double> pair_distance(const LeafPair<T>& pair) {
@@ -24,8 +40,11 @@ Distance<double> pair_distance(const LeafPair<T>& pair) {
   Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
   // A way out of a polygon leads through its outline and not through a cut.
   const bool polygon = (pair.a.outline && !pair.a.chain) || (pair.b.outline && !pair.b.chain);
-  if (polygon && found.distance < 0 && !on_outlines(pair.a, pair.b, b_in_a, found, pair.size()))
-    if (const auto outward = least_overlap_on_outlines(pair.a, pair.b, b_in_a)) found = *outward;
+  if (polygon && may_lie_on_cut(pair, b_in_a, found)) {
+    const Core<T> a = as_line(pair.a), b = as_line(pair.b);
+    if (!on_outlines(a, b, b_in_a, found, pair.size()))
+      if (const auto outward = least_overlap_on_outlines(a, b, b_in_a)) found = *outward;
+  }
   Distance<double> out;
   out.distance = found.distance - pair.a.radius - pair.b.radius;
   out.normal = rotate(pair.pose_a.rotation, found.normal);

@@ -1,6 +1,7 @@
 #include "graze/cast.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cast/surface_seams.hpp"
 #include "composite/composite.hpp"
@@ -43,8 +44,27 @@ struct Asked {
               {in_b.rotation, converted<double>(vb.angular)},
               in_b.translation - in_a.translation,
               converted<double>(vb.linear) - converted<double>(va.linear)};
+    duration = least(duration, parted_by());
     path = length(motion.offset) + length(motion.velocity) * duration;
     coordinates = greatest(max_abs(in_a.translation), max_abs(in_b.translation)) + path;
+  }
+
+  /// A time after which nothing is met for the first time: the balls about the bodies' origins that hold them have
+  /// passed each other, or the one has passed through the plane of the other or has left it. The tolerance grows with
+  /// the path, which is not to be longer for a body that flies on for ever.
+  double parted_by() const {
+    constexpr double slack = 1 + 1e-3;
+    const auto* plane_a = a.shape.template as<HalfSpace<T>>();
+    const auto* plane_b = b.shape.template as<HalfSpace<T>>();
+    double way = length(motion.offset), speed = length(motion.velocity);
+    if (plane_a || plane_b) {
+      const Turning& turning = plane_a ? motion.a : motion.b;
+      if ((plane_a && plane_b) || !turning.none()) return std::numeric_limits<double>::infinity();
+      const Vec3d normal = rotate(turning.start, Vec3d{0, 1, 0});
+      way = std::abs(dot(motion.offset, normal)), speed = std::abs(dot(motion.velocity, normal));
+    }
+    const double reach = (plane_a ? a.radius : a.reach()) + (plane_b ? b.radius : b.reach());
+    return speed > 0 ? slack * (way + reach) / speed : std::numeric_limits<double>::infinity();
   }
 
   /// The D of `graze/cast.hpp` for two pieces.

@@ -72,7 +72,7 @@ Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
 template <class T>
 std::optional<Distance<T>> distance_up_to(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                                           const Pose<T>& pose_b, T limit) {
-  const Distance<T> d = any_distance(a, pose_a, b, pose_b, limit);
+  const Distance<T> d = any_distance(a, pose_a, b, pose_b, just_above(limit));
   return d.distance <= limit ? std::optional(d) : std::nullopt;
 }
 

@@ -94,7 +94,11 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>
   };
   visit_hits(shape, *local, back, keep);
   std::sort(all.begin(), all.end(), before);
+  const auto first = static_cast<std::ptrdiff_t>(hits.size());
   for (const Candidate& c : all) hits.push_back(in_world(c, frame, ray, length));
+  // Rounded to T, times may be equal that were not.
+  std::stable_sort(hits.begin() + first, hits.end(),
+                   [](const RayHit<T>& p, const RayHit<T>& q) { return p.t != q.t ? p.t < q.t : p.piece < q.piece; });
   return all.size();
 }
 

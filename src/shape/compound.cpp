@@ -1,6 +1,7 @@
 #include "shape/compound_data.hpp"
 #include "shape/hierarchy_pairs.hpp"
 #include "shape/placed_bounds.hpp"
+#include "shape/rounding.hpp"
 
 namespace graze {
 
@@ -28,7 +29,7 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
     child.pose.translation = validate::resolved(child.pose.translation);
     child.pose.rotation = validate::rotation(child.pose.rotation, path + ".rotation");
 
-    const T reach = length(child.pose.translation) + child.shape.rounding() +
+    const T reach = length(child.pose.translation) + rounding_radius(child.shape) +
                     child.shape.visit([](const auto& c) { return c.core_extent(); });
     // The reaches of compounds within compounds add up.
     constexpr T furthest = T(8) * largest_magnitude<T>;

@@ -20,10 +20,12 @@ void check(std::size_t columns, std::size_t rows, const std::vector<T>& heights)
                        std::to_string(heights.size()));
   if (heights.size() > most_heights)
     throw InvalidValue("heights", "at most 2147483648 values", std::to_string(heights.size()));
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    if (std::isinf(heights[i]))
-      validate::fail("heights[" + std::to_string(i) + "]", "a finite number or a hole",
-                     static_cast<double>(heights[i]));
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (std::isnan(heights[i])) continue;
+    const char* const expectation =
+        std::isinf(heights[i]) ? "a finite number or a hole" : validate::fault_of_coordinate(heights[i]);
+    if (expectation) validate::fail("heights[" + std::to_string(i) + "]", expectation, static_cast<double>(heights[i]));
+  }
 }
 
 /// The level of blocks above one of `columns` times `rows` blocks, each with its `span_of(column, row)`.
@@ -92,10 +94,13 @@ HeightField<T>::HeightField(std::size_t columns, std::size_t rows, std::vector<T
   data->spacing_x = spacing_x;
   data->spacing_z = spacing_z;
   data->heights = std::move(heights);
-  if (!std::isfinite(data->x(data->columns - 1)))
-    validate::fail("spacing[0]", "a finite width", static_cast<double>(spacing_x));
-  if (!std::isfinite(data->z(data->rows - 1)))
-    validate::fail("spacing[1]", "a finite depth", static_cast<double>(spacing_z));
+  // Corners are coordinates like any others.
+  const std::string most =
+      "a field that reaches at most " + validate::number(static_cast<double>(largest_magnitude<T>));
+  if (!(data->x(data->columns - 1) <= largest_magnitude<T>))
+    validate::fail("spacing[0]", most, static_cast<double>(spacing_x));
+  if (!(data->z(data->rows - 1) <= largest_magnitude<T>))
+    validate::fail("spacing[1]", most, static_cast<double>(spacing_z));
   build_pyramid(*data);
   const auto& top = data->levels.back().spans[0];
   if (top.low > top.high) throw InvalidValue("heights", "at least one cell without a hole", "none");

@@ -18,8 +18,10 @@ constexpr std::size_t many = 16;
 template <class T, class Space>
 T BodyArrays<T, Space>::margin_of(const Shape& shape, const std::optional<T>& margin) {
   if (margin) return *margin;
-  return shape.template as<typename Space::HalfSpace>() ? std::numeric_limits<T>::infinity()
-                                                        : contact_margin(shape, shape);
+  const auto box = bounds(shape, Pose{});
+  // What has no bounds leaves the margin to the other shape.
+  return max_abs(box.upper - box.lower) < std::numeric_limits<T>::infinity() ? contact_margin(shape, shape)
+                                                                             : std::numeric_limits<T>::infinity();
 }
 
 template <class T, class Space>

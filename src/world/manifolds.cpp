@@ -26,9 +26,10 @@ void ManifoldFinder<T, Space>::look_at(const BodyArrays<T, Space>& bodies, std::
   const std::uint32_t generation = bodies.id(i).generation;
   const bool another = std::exchange(generations_[i], generation) != generation;
   if constexpr (Space::joins_fixed) {
+    const bool stood = (seen_[i].traits & fixed) != 0;  // perhaps as another body of that index
     ground_ += stands;
-    ground_ -= (seen_[i].traits & fixed) != 0;
-    ground_changed_ |= stands && moved;
+    ground_ -= stood;
+    ground_changed_ |= moved && (stands || stood);
   }
   seen_[i] = {PairContacts<T, Space>::concrete(shape), bodies.margins()[i],
               static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
@@ -56,6 +57,7 @@ void ManifoldFinder<T, Space>::look(const BodyArrays<T, Space>& bodies) {
   } else {
     shapes_ = bodies.shapes().data();
     seen_.assign(bodies.size(), {});
+    ground_changed_ = ground_ > 0;  // what stood where is forgotten
     ground_ = 0;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) look_at(bodies, i);
   }

@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 7112381013715145204u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 8167898180772717642u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 6179491002349783047u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 16128829021664813502u;
 
 }  // namespace graze::testing
 

@@ -57,5 +57,44 @@ TEST(JoinedBodies, ABallJointSwings) { expect_to_swing(std::nullopt); }
 TEST(JoinedBodies, AHingeAboutXSwings) { expect_to_swing(0); }
 TEST(JoinedBodies, AHingeAboutZSwings) { expect_to_swing(2); }
 
+/// A door with a range of 270 degrees stays where it is within it, and stops at its end.
+TEST(JoinedBodies, ADoorOpensByMoreThanHalfATurn) {
+  for (const double most : {3.2, 4.0, 4.7, 6.0}) {
+    SimulationSettings<double> settings;
+    settings.gravity = {};
+    Simulation<double> s(settings);
+    Body<double> wall{Shape<double>(Box<double>({0.2, 0.2, 0.2})), {{0, -10, 0}, {}}};
+    wall.fixed = true;
+    const BodyId a = s.add(wall), b = s.add(Body<double>{Shape<double>(Box<double>({1, 1, 1})), {}});
+    Joint<double> joint = hinge_joint(a, Pose<double>{{0, 10, 0}, {}}, b, Pose<double>{});
+    joint.limits.push_back({JointSpace::angular, {true, false, false}, 0, most, {}, 0});
+    s.add(joint);
+    for (int i = 0; i < 10; ++i) s.step(1.0 / 60);
+    EXPECT_EQ(length(s.motion(b).angular), 0) << most;
+    s.set_velocity(b, {{}, {2, 0, 0}});
+    double turned = 0, furthest = 0;
+    for (int i = 0; i < 300; ++i) {
+      s.step(1.0 / 60);
+      furthest = std::max(furthest, turned += s.motion(b).angular.x / 60);
+    }
+    EXPECT_NEAR(furthest, most, 0.05) << most;
+  }
+}
+
+/// What holds a hanging body up in a step is its weight, in however many sub-steps.
+TEST(JoinedBodies, ImpulsesAreThoseOfAWholeStep) {
+  for (const int sub_steps : {1, 4, 16}) {
+    SimulationSettings<double> settings{{0, -gravity, 0}};
+    settings.sub_steps = sub_steps;
+    Simulation<double> s(settings);
+    Body<double> hook{Shape<double>(Box<double>({0.2, 0.2, 0.2})), {{0, -10, 0}, {}}};
+    hook.fixed = true;
+    const BodyId a = s.add(hook), b = s.add(Body<double>{Shape<double>(Box<double>({1, 1, 1})), {}});
+    const JointId joint = s.add(ball_joint(a, Pose<double>{{0, 10, 0}, {}}, b, Pose<double>{}));
+    for (int i = 0; i < 60; ++i) s.step(1.0 / 60);
+    EXPECT_NEAR(s.joint_impulses(joint)[1], s.mass(b) * gravity / 60, 1e-6 * s.mass(b)) << sub_steps;
+  }
+}
+
 }  // namespace
 }  // namespace graze

@@ -137,12 +137,14 @@ struct ContactScene {
       bundles.add(touching[i], std::span(manifolds).subspan(first[i], first[i + 1] - first[i]));
     bundles.build(movable);
     ASSERT_EQ(bundles.colors().size(), 1u);
-    const ContactStep<T> step = contact_step(SubStep<T>{T(0.01), T(100), T(0.02), false}, T(10));
+    const ContactStep<T> step = contact_step(SubStep<T>{T(0.01), T(100), T(0.02), false}, T(10), T(0.02), 2);
     const auto each = [&](const auto& f) {
       for (std::size_t chunk = 0; chunk < bundles.chunk_count(); ++chunk)
         for (const auto& bundle : bundles.bundles_of(chunk)) f(bundles.kernels_of(bundle), bundle);
     };
-    each([&](const auto& k, const auto& b) { k.prepare(b, bodies.data(), points.data(), T(0.5)); });
+    each([&](const auto& k, const auto& b) {
+      k.prepare(b, bodies.data(), points.data(), WarmStart<T>{T(0.5), T(0.5), T(0)});
+    });
     for (int i = 0; i < 2; ++i) {
       each([&](const auto& k, const auto& b) { k.warm_start(b, bodies.data()); });
       each([&](const auto& k, const auto& b) { k.solve(b, bodies.data(), step, true); });

@@ -320,6 +320,54 @@ TYPED_TEST(SimulationOf, SleepsAndWakes) {
   EXPECT_GT(s.poses()[boxes[2].index].translation.x, T(0.1));
 }
 
+/// What is put into a sleeper wakes it, also where nothing pushes it.
+TYPED_TEST(SimulationOf, WhatIsPutIntoASleeperWakesIt) {
+  using T = TypeParam;
+  for (const bool kinematic : {false, true})
+    for (const bool moved : {false, true}) {
+      Simulation<T> s(settings<T>(T(10), true));
+      add_floor(s);
+      const BodyId box = s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5), T(0)}, {}}});
+      Dynamics<T> dynamics;
+      dynamics.kinematic = kinematic;
+      Body<T> other{Box<T>({T(1), T(1), T(1)}), {{T(0.8), T(0.5), T(0)}, {}}};
+      other.fixed = !kinematic;
+      if (moved) {
+        other.pose.translation.x = T(5);
+        const BodyId id = s.add(other, dynamics);
+        for (int i = 0; i < 200; ++i) s.step(T(dt));
+        ASSERT_TRUE(s.asleep(box));
+        s.set_pose(id, {{T(0.8), T(0.5), T(0)}, {}});
+      } else {
+        for (int i = 0; i < 200; ++i) s.step(T(dt));
+        ASSERT_TRUE(s.asleep(box));
+        s.add(other, dynamics);
+      }
+      for (int i = 0; i < 128; ++i) s.step(T(dt));
+      EXPECT_NEAR(s.poses()[box.index].translation.x, T(-0.2), T(0.01)) << kinematic << ", " << moved;
+    }
+}
+
+/// What nothing holds, and what is driven, goes on, however slowly.
+TYPED_TEST(SimulationOf, SlowMotionThatNothingEndsGoesOn) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(0), true));
+  const BodyId drifting = s.add({Box<T>({T(1), T(1), T(1)}), {}, {T(0.004), T(0), T(0)}});
+  Body<T> hook{Sphere<T>(T(0.1)), {{T(0), T(50), T(0)}, {}}};
+  hook.fixed = true;
+  const BodyId fixed = s.add(hook), driven = s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(60), T(0)}, {}}});
+  Joint<T> joint = hinge_joint<T>(fixed, {{T(0), T(10), T(0)}, {}}, driven, {});
+  JointDrive<T> drive;
+  drive.space = JointSpace::angular;
+  drive.velocity_target = T(0.009);
+  drive.damping = T(1e7);
+  joint.drives.push_back(drive);
+  s.add(joint);
+  for (int i = 0; i < 640; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.poses()[drifting.index].translation.x, T(0.04), T(1e-4));
+  EXPECT_NEAR(T(2) * std::asin(s.poses()[driven.index].rotation.x), T(0.09), T(1e-3));
+}
+
 TYPED_TEST(SimulationOf, KinematicPlatformAndBelt) {
   using T = TypeParam;
   Simulation<T> s(settings<T>());

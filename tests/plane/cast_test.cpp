@@ -305,6 +305,17 @@ TEST(PlaneCast, SpinningPolygonsAreNeitherMissedNorPassed) {
   EXPECT_GT(misses, 20);
 }
 
+/// A point at its body's origin that turns has no reach, and is met as one that does not turn.
+TEST(PlaneCast, PointsThatTurnAreNotMissed) {
+  const Shape<double> carried(Compound<double>({{Circle<double>(1), {{-2, 0}, {}}}})), point(Circle<double>(0));
+  const Velocity<double> turning{{}, -3};
+  for (const double spin : {0.0, 2.0, -5.0}) {
+    const auto hit = cast(carried, Pose2<double>{}, turning, point, {{1, 2}, {}}, {{}, spin}, 1.0);
+    ASSERT_TRUE(hit) << spin;
+    EXPECT_NEAR(hit->t, std::acos(-1) / 6, 1e-8) << spin;
+  }
+}
+
 TEST(PlaneCast, KnownTimes) {
   const Shaped box = Box<double>({2, 2}), circle = Circle<double>(0.5);
   const auto hit = cast<double>(box, {}, {}, circle, {{5.5, 0.5}, {}}, {{-8, 0}, 0}, 1);

@@ -114,6 +114,31 @@ TEST(PlanePolygon, PointsAreAsDeepAsTheOutlineIsFar) {
   EXPECT_GT(inside, 500);
 }
 
+/// Points and discs on a cut are as deep as beside it.
+TEST(PlanePolygon, CutsAreInside) {
+  const std::vector<Vec2<double>> corners{{-1, -1}, {1, -1}, {1, 0}, {0, 0}, {0, 1}, {-1, 1}};
+  const Shape<double> l = Polygon<double>(corners), disc = Circle<double>(0.01);
+  for (int i = -9; i < 0; ++i) {
+    const Vec2<double> on{0.1 * i, 0.1 * i}, beside{0.1 * i, 0.1 * i + 1e-9};
+    EXPECT_NEAR(closest(l, {}, on).distance, closest(l, {}, beside).distance, 1e-8) << i;
+    EXPECT_NEAR(distance(l, {}, disc, {on, {}}).distance, distance(l, {}, disc, {beside, {}}).distance, 1e-8) << i;
+  }
+  EXPECT_EQ(closest(l, {}, {0, 0}).distance, 0);  // the corner itself lies on the outline
+}
+
+/// A chain is a line: from a polygon in one piece it is as far as from that piece as a convex polygon.
+TEST(PlanePolygon, ChainsAreLines) {
+  const std::vector<Vec2<double>> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const Shape<double> polygon = Polygon<double>(square), convex = ConvexPolygon<double>(square);
+  for (int i = 0; i < 40; ++i) {
+    const Shape<double> chain = Chain<double>(std::vector<Vec2<double>>{{0, -1}, {3, -0.5}, {0, 2}});
+    const Pose2<double> pose{{-0.1 * i, 0.05 * i}, Rot2<double>::from_angle(0.3 * i)};
+    const Distance<double> d = distance(polygon, {}, chain, pose), expected = distance(convex, {}, chain, pose);
+    EXPECT_NEAR(d.distance, expected.distance, 1e-12) << i;
+    EXPECT_NEAR(dot(d.normal, expected.normal), 1, 1e-9) << i;
+  }
+}
+
 TEST(PlanePolygon, RefusesOutlinesThatCrossAndNamesTheVertex) {
   const auto refused = [](const Points& points) {
     try {

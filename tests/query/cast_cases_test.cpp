@@ -318,5 +318,23 @@ TYPED_TEST(CastCases, IgnoringWhatSeparatesChangesNoHitThatIsArrivedAt) {
   EXPECT_GT(hits, 100);
 }
 
+/// However long bodies fly on after they could have met: the tolerance goes with the way until then.
+TYPED_TEST(CastCases, DurationsOfAnyLength) {
+  using T = TypeParam;
+  const T longest = sizeof(T) == 4 ? T(1e12) : T(1e16);
+  const Shape<T> ball = Sphere<T>(T(0.5));
+  for (const Shape<T>& other : {ball, Shape<T>(HalfSpace<T>())}) {
+    const bool plane = &other != &ball && other.template as<HalfSpace<T>>();
+    const T gap = plane ? T(1.5) : T(1);
+    for (T duration(10); duration <= longest; duration *= T(1000)) {
+      const auto meets = cast<T>(other, {}, {}, ball, {{T(0), T(2), T(0)}, {}}, {{T(0), T(-1), T(0)}, {}}, duration);
+      ASSERT_TRUE(meets) << duration;
+      EXPECT_NEAR(meets->t, gap, T(2) * cast_tolerance<T>) << duration;
+      EXPECT_FALSE(cast<T>(other, {}, {}, ball, {{T(0), T(2), T(0)}, {}}, {{T(0), T(1), T(0)}, {}}, duration))
+          << duration;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graze

@@ -18,6 +18,33 @@ class Impacts : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Impacts, Scalars);
 
+/// A compound of a ball that turns about a point beside it reaches a wall by the ball's radius.
+TYPED_TEST(Impacts, TurningCompoundsOfRoundShapesAreMet) {
+  using T = TypeParam;
+  const Shape<T> wall = Box<T>({T(1), T(10), T(10)});
+  int met = 0;
+  for (const Shape<T>& child : {Shape<T>(Sphere<T>(T(1))), Shape<T>(Capsule<T>(T(1), T(0.1)))})
+    for (const T x : {T(2.2), T(2.4)}) {
+      const Shape<T> shape = Compound<T>({{child, {{T(1), T(1), T(1)}, {}}}});
+      const Pose<T> at{{x + T(0.5), T(0), T(0)}, {}};
+      const Velocity<T> turning{{}, {T(0), T(0), T(-0.8)}};
+      World<T> world;
+      Body<T> body{shape, {}}, fixed{wall, at};
+      body.fast = true;
+      body.angular = turning.angular;
+      fixed.fixed = true;
+      world.add(body);
+      world.add(fixed);
+      world.update(T(1));
+      const auto hit = cast(shape, Pose<T>{}, turning, wall, at, {}, T(1));
+      ASSERT_EQ(world.impacts().size(), hit ? 1u : 0u) << x;
+      if (!hit) continue;
+      EXPECT_EQ(world.impacts()[0].hit.t, hit->t) << x;
+      ++met;
+    }
+  EXPECT_GE(met, 2);
+}
+
 /// Bullets through thin walls, past each other and at each other.
 TYPED_TEST(Impacts, FastBodiesAreToldWhatTheyWouldPassThrough) {
   using T = TypeParam;

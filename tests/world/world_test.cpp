@@ -448,5 +448,45 @@ TEST(World, ABodyDoesNotInheritTheImpulsesOfTheOneBefore) {
   for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, Vec3d{});
 }
 
+/// A fixed body goes, and one that moves comes in its place: what was told of the seam between the two is forgotten.
+TYPED_TEST(WorldOf, AnIndexThatWasFixedMayBeReused) {
+  using T = TypeParam;
+  const auto slab = [](T x) {
+    Body<T> body{Box<T>({T(2), T(2), T(2)}), {{x, T(-1), T(0)}, {}}};
+    body.fixed = true;
+    return body;
+  };
+  const Body<T> box{Box<T>({T(0.6), T(0.6), T(0.6)}), {{T(-0.2), T(0.1), T(0)}, {}}};
+  const Body<T> other{Box<T>({T(0.2), T(0.2), T(0.2)}), {{T(-0.55), T(0.1), T(0)}, {}}};
+  World<T> kept, fresh;
+  const BodyId left = kept.add(slab(T(-1)));
+  kept.add(slab(T(1)));
+  kept.add(box);
+  kept.update();
+  kept.remove(left);
+  ASSERT_EQ(kept.add(other).index, left.index);
+  kept.update();
+  fresh.add(other);
+  fresh.add(slab(T(1)));
+  fresh.add(box);
+  fresh.update();
+  ASSERT_EQ(kept.contacts().manifolds.size(), fresh.contacts().manifolds.size());
+  for (std::size_t i = 0; i < fresh.contacts().manifolds.size(); ++i)
+    EXPECT_EQ(kept.contacts().manifolds[i].normal, fresh.contacts().manifolds[i].normal) << i;
+}
+
+/// Ground that is a half-space and a block leaves the margin to what stands on it, as a half-space alone does.
+TYPED_TEST(WorldOf, AGroundWithoutBoundsHasNoMarginOfItsOwn) {
+  using T = TypeParam;
+  const Shape<T> ground = Compound<T>({{HalfSpace<T>(), {}}, {Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5), T(0)}, {}}}});
+  World<T> world;
+  Body<T> fixed{ground, {}};
+  fixed.fixed = true;
+  world.add(fixed);
+  world.add({Box<T>({T(1), T(1), T(1)}), {{T(3), T(0.503), T(0)}, {}}});
+  world.update();
+  EXPECT_EQ(world.contacts().pairs.size(), 1u);
+}
+
 }  // namespace
 }  // namespace graze

@@ -33,7 +33,7 @@ struct Waiting;
 template <class T>
 struct ContactPair {
   std::uint32_t a, b;  ///< indices of bodies, a < b; normals point from a to b
-  bool overlap;        ///< distance <= 0
+  bool overlap;        ///< what `contacts` returns: distance <= 0
   std::uint32_t first_manifold, manifold_count;
 };
 

@@ -10,11 +10,12 @@
 // Guarantee: every answer is proven. All lengths are in units of the pair's size, so that no point of D is further than
 // 1 from the line between the origins. A support point along n and its height along n come of some fifty operations on
 // numbers of that size, each right within float's 2^-24: its height is the greatest of D along n within some hundred
-// such roundings. So is the inner point of as many points as a side may have. `portal_slack` is three times that. The cores are apart where the height shows a gap of more than the
-// slack, and the origin is inside where it is deeper than the slack inside all four sides of the tetrahedron, which the
-// rounding of its corners cannot undo. Where the two origins are further apart than 2 the roundings grow in proportion,
-// but there every reported gap is right, and a reported overlap would have to be wrong by half the distance. Pairs not
-// proven after `portal_steps`, or out of float's range, are unknown.
+// such roundings. So is the inner point of as many points as a side may have. `portal_slack` is three times that. The
+// cores are apart where the height shows a gap of more than the slack, and the origin is inside where it is deeper than
+// the slack inside all four sides of the tetrahedron, which the rounding of its corners cannot undo. Where the two
+// origins are further apart than 2 the roundings grow in proportion, but there every reported gap is right, and a
+// reported overlap would have to be wrong by half the distance. Pairs not proven after `portal_steps`, or out of
+// float's range, are unknown.
 #pragma once
 
 #include "graze/mat3.hpp"
