@@ -184,7 +184,7 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
       mass_scale = select(apart, one, select(yields, S(step.soft.mass_scale), one));
     }
     const S change = r.effective_mass * (wanted - speed) * mass_scale - impulse_scale * r.impulse;
-    // What bounces is not braked before it is met: perhaps it is in the next step, which strikes it.
+    // Points that bounce are not braked before they meet: the next step may be the one that strikes them.
     const Mask at_hand = bias ? active : active & ((s <= zero) | (r.impulse > zero) | !bounces);
     const S impulse = select(at_hand, greatest(zero, r.impulse + change), r.impulse);
     const S more = impulse - r.impulse;

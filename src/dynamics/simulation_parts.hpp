@@ -84,7 +84,7 @@ struct SimulationParts {
   std::vector<IslandLink> links;
   std::vector<std::uint32_t> link_pairs;  ///< of each link: its place among the contact pairs, or the joint behind them
   std::vector<FreeBodyIn<Space>> before;  ///< state of the bodies at the beginning of the step
-  std::vector<T> shares;                  ///< of the step that each body has: less where it was moved ahead to a blow
+  std::vector<T> shares;                  ///< of the step that each body has: less where it flew ahead to a blow
   T last_step{};
   T usual_step{};  ///< the last step, or a longer one before it (`usual_step_kept`)
   StepReport<T, Space> last{};
@@ -105,6 +105,9 @@ struct SimulationParts {
     return link_pairs[link] < pairs.size() ? &pairs[link_pairs[link]] : nullptr;
   }
   JointInPlace<T, Space>& joint_of(std::uint32_t link) {
+    return joints[link_pairs[link] - world.contacts().pairs.size()].in_place;
+  }
+  const JointInPlace<T, Space>& joint_of(std::uint32_t link) const {
     return joints[link_pairs[link] - world.contacts().pairs.size()].in_place;
   }
   void mute();

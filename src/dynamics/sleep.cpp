@@ -50,8 +50,7 @@ bool SimulationParts<T, Space>::is_driven(std::uint32_t link) const {
   const ContactPair<T>* pair = contact_of(link);
   const auto runs = [&](std::uint32_t i) { return !(bodies[i].material.surface_velocity == typename Space::Vec{}); };
   if (pair) return runs(pair->a) || runs(pair->b);
-  const std::vector<JointDrive<T>>& drives =
-      joints[link_pairs[link] - world.contacts().pairs.size()].in_place.joint.drives;
+  const std::vector<JointDrive<T>>& drives = joint_of(link).joint.drives;
   return std::any_of(drives.begin(), drives.end(), [](const JointDrive<T>& d) { return d.velocity_target != T(0); });
 }
 
@@ -71,7 +70,7 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
       body.rested = speed < resting_speed<T> * scale.speed(body.size) ? body.rested + dt : T(0);
       const T long_enough = greatest(resting_time<T> * scale.time(body.size), resting_steps<T> * dt);
       still = still && body.may_sleep && body.rested >= long_enough;
-      // What nothing holds goes on, however slowly.
+      // A body that nothing holds goes on, however slowly.
       still = still && (!links_here.empty() || speed == T(0));
     }
     if (!still) continue;

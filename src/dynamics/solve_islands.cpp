@@ -37,7 +37,7 @@ void SimulationParts<T, Space>::find_islands() {
   islands.find(movable, links);
 
   awake.assign(islands.ranges().size(), 0);
-  // What nothing pushes wakes what it touches where it moves, and where it has just been put.
+  // Bodies that nothing pushes wake those that they touch where they move, and where they have just been put.
   const auto drifts = [&](std::uint32_t i) {
     if (movable[i] != 0) return false;
     return bodies[i].placed || (bodies[i].moves && !(bodies[i].free.linear == typename Space::Vec{} &&

@@ -40,7 +40,7 @@ struct Mover {
   Gain gain(double height) const {
     const double speed = std::abs(velocity.angular);
     if (speed == 0 || !(height < reach)) return {};
-    // Of a point on the origin, rounding may take the height below its reach.
+    // Rounding may take the height of a point on the origin below its reach.
     const double beside = std::sqrt(greatest((reach - height) * (reach + height), 0.0));
     return {speed * beside, speed * speed * greatest(-height, 0.0) / 2, reach - height};
   }

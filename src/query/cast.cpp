@@ -26,6 +26,10 @@ constexpr double coordinate_rounding = static_cast<double>(std::numeric_limits<T
 /// save.
 constexpr double most_stretches = 64;
 
+/// The part by which distances are to exceed the radii of bounding balls for these to count as clearly apart: ten
+/// thousand times float's rounding.
+constexpr double clearly_apart = 1 + 1e-3;
+
 double finite(double size) { return size < std::numeric_limits<double>::infinity() ? size : 0; }
 
 /// The query in double, in A's frame.
@@ -53,7 +57,6 @@ struct Asked {
   /// passed each other, or the one has passed through the plane of the other or has left it. The tolerance grows with
   /// the path, which is not to be longer for a body that flies on for ever.
   double parted_by() const {
-    constexpr double slack = 1 + 1e-3;
     const auto* plane_a = a.shape.template as<HalfSpace<T>>();
     const auto* plane_b = b.shape.template as<HalfSpace<T>>();
     double way = length(motion.offset), speed = length(motion.velocity);
@@ -64,7 +67,7 @@ struct Asked {
       way = std::abs(dot(motion.offset, normal)), speed = std::abs(dot(motion.velocity, normal));
     }
     const double reach = (plane_a ? a.radius : a.reach()) + (plane_b ? b.radius : b.reach());
-    return speed > 0 ? slack * (way + reach) / speed : std::numeric_limits<double>::infinity();
+    return speed > 0 ? clearly_apart * (way + reach) / speed : std::numeric_limits<double>::infinity();
   }
 
   /// The D of `graze/cast.hpp` for two pieces.
@@ -77,11 +80,9 @@ struct Asked {
            path_rounding * path;
   }
 
-  /// Whether the bounding balls about the bodies' origins are clearly apart at the beginning: by a thousandth of their
-  /// radii, ten thousand times float's rounding.
+  /// Whether the bounding balls about the bodies' origins are clearly apart at the beginning.
   bool begins_far() const {
-    constexpr double slack = 1 + 1e-3;
-    return length(motion.offset) > slack * (a.reach() + b.reach()) + tolerance_of(a, b);
+    return length(motion.offset) > clearly_apart * (a.reach() + b.reach()) + tolerance_of(a, b);
   }
 
   std::optional<Impact> of(const Piece<T>& piece_a, const Piece<T>& piece_b, const Interval& interval,

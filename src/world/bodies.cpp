@@ -19,7 +19,7 @@ template <class T, class Space>
 T BodyArrays<T, Space>::margin_of(const Shape& shape, const std::optional<T>& margin) {
   if (margin) return *margin;
   const auto box = bounds(shape, Pose{});
-  // What has no bounds leaves the margin to the other shape.
+  // Shapes without bounds leave the margin to the other one.
   return max_abs(box.upper - box.lower) < std::numeric_limits<T>::infinity() ? contact_margin(shape, shape)
                                                                              : std::numeric_limits<T>::infinity();
 }
