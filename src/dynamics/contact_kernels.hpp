@@ -53,8 +53,8 @@ struct ContactKernels {
   std::uint32_t lanes;
   std::size_t manifold_bytes, row_bytes;
 
-  /// Sets up the rows.
-  void (*prepare)(const Bundle&, const Body* bodies, const Point* points, const WarmStart<T>& warm);
+  /// Sets up the rows for a step of duration `step`.
+  void (*prepare)(const Bundle&, const Body* bodies, const Point* points, T step, const WarmStart<T>& warm);
   void (*warm_start)(const Bundle&, Body* bodies);
   /// One pass. With `bias` it records the normals along which bodies are pressed.
   void (*solve)(const Bundle&, Body* bodies, const ContactStep<T>& step, bool bias);

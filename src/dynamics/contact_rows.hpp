@@ -52,9 +52,10 @@ struct ManifoldRows {
   Touching<S, Space> touching{};
   FrictionRows<S, Space> friction{};
 
-  /// Sets up the rows of the first `count` points; others push nothing. `points[i]` is a `FoundPoint` for each row.
+  /// Sets up the rows of the first `count` points for a step of duration `step`; others push nothing. `points[i]` is a
+  /// `FoundPoint` for each row.
   template <class Points>
-  void prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points, const S& count,
+  void prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points, const S& count, T step,
                const WarmStart<T>& warm, std::span<Row> rows);
   void warm_start(std::span<const Row> rows, Bodies& bodies) const;
   /// One pass. With `bias` depth is recovered, without velocities alone count. Returns whether
@@ -80,6 +81,7 @@ struct ManifoldRows {
   static constexpr int sliding_rounds = 2;
 
   void set_pressure_center(std::span<Row> rows, const S& count, const S& loaded, Vec& arm_a, Vec& arm_b) const;
+  static Vec gained_by_turning(const RowBody<S, Space>& body, const Vec& arm, T step);
   void solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias, const Mask& active, Bodies& bodies);
   S speed_along_normal(const Row& r, const Bodies& bodies) const {
     return dot(bodies.b.linear - bodies.a.linear, normal) + dot(cross(r.arm_b, normal), bodies.b.angular) -
@@ -109,10 +111,19 @@ void ManifoldRows<S, Space>::set_pressure_center(std::span<Row> rows, const S& c
   for (Row& r : rows) r.distance = length(r.arm_a - arm_a);
 }
 
+/// The velocity that the surface of a body which nothing pushes has gained at `arm` by the middle of the step, as it
+/// turns. What it carries moves straight in a step: along the chord then of the arc, where along the tangent it would
+/// leave a turntable.
+template <class S, class Space>
+auto ManifoldRows<S, Space>::gained_by_turning(const RowBody<S, Space>& body, const Vec& arm, T step) -> Vec {
+  const Vec gained = cross(body.velocity.angular, cross(body.velocity.angular, arm)) * S(step * T(0.5));
+  return select(body.mass.mass == S(T(0)), gained, Vec{});
+}
+
 template <class S, class Space>
 template <class Points>
 void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points,
-                                     const S& count, const WarmStart<T>& warm, std::span<Row> rows) {
+                                     const S& count, T step, const WarmStart<T>& warm, std::span<Row> rows) {
   mass_a = a.mass.mass;
   mass_b = b.mass.mass;
   S loaded(T(0)), number(T(0));
@@ -140,7 +151,7 @@ void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S
   Vec arm_a{}, arm_b{};
   set_pressure_center(rows, count, loaded, arm_a, arm_b);
   friction.prepare(normal, arm_a, arm_b, a.mass, b.mass);
-  friction.set_belt(normal, touching.belt);
+  friction.set_belt(normal, touching.belt + gained_by_turning(b, arm_b, step) - gained_by_turning(a, arm_a, step));
   friction.take_over(normal, across, points, warm.share, rows, touching.material, a.velocity, b.velocity);
 }
 

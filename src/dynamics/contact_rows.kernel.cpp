@@ -147,7 +147,7 @@ class BundlePoints {
 
 template <class S, class Space, class T = typename LaneOf<S>::type>
 [[gnu::flatten]] void prepare(const ContactBundle<T, Space>& bundle, const SolverBody<T, Space>* bodies,
-                              const SolverPoint<T, Space>* points, const WarmStart<T>& warm) {
+                              const SolverPoint<T, Space>* points, T step, const WarmStart<T>& warm) {
   using Lanewise = BundleLanes<S, Space>;
   using Over = typename Lanewise::Over;
   const Lanewise in(bundle, bodies);
@@ -165,7 +165,7 @@ template <class S, class Space, class T = typename LaneOf<S>::type>
   m.normal = gathered<S, typename Over::Vec>(normal);
   m.touching = gathered<S, Touching<S, Over>>(between);
   m.prepare(in.body(&LanePlaces::a), in.body(&LanePlaces::b), BundlePoints<S, Space>(bundle, points, count), count,
-            warm, in.rows());
+            step, warm, in.rows());
 }
 
 template <class S, class Space, class T = typename LaneOf<S>::type>

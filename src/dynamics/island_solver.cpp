@@ -290,8 +290,9 @@ void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points
   contacts_.build(movable_);
   const T step = whole.step, number = T(sub_steps_);
   const WarmStart<T> warm{whole.share / number, T(1) / number, weight() * step / number};
-  each_bundle(
-      [&](const auto& kernels, const auto& bundle) { kernels.prepare(bundle, bodies_.data(), points.data(), warm); });
+  each_bundle([&](const auto& kernels, const auto& bundle) {
+    kernels.prepare(bundle, bodies_.data(), points.data(), step, warm);
+  });
   const T h = step / T(sub_steps_);
   SubStep<T> time{h, T(1) / h, step, false};
   joints_.resize(joined_.size());

@@ -143,7 +143,7 @@ struct ContactScene {
         for (const auto& bundle : bundles.bundles_of(chunk)) f(bundles.kernels_of(bundle), bundle);
     };
     each([&](const auto& k, const auto& b) {
-      k.prepare(b, bodies.data(), points.data(), WarmStart<T>{T(0.5), T(0.5), T(0)});
+      k.prepare(b, bodies.data(), points.data(), T(0.01), WarmStart<T>{T(0.5), T(0.5), T(0)});
     });
     for (int i = 0; i < 2; ++i) {
       each([&](const auto& k, const auto& b) { k.warm_start(b, bodies.data()); });

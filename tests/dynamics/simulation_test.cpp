@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "dynamics/simulated.hpp"
@@ -385,6 +386,42 @@ TYPED_TEST(SimulationOf, KinematicPlatformAndBelt) {
   s.set_material(platform, belt);
   for (int i = 0; i < 2 * 64; ++i) s.step(T(dt));
   EXPECT_NEAR(s.motion(box).linear.x, T(2), T(0.01));
+}
+
+/// A surface that turns carries along the chord of the arc: along its tangent the box would be 7 cm further out, with a
+/// spin of 1 rad/s and 64 steps a second.
+TYPED_TEST(SimulationOf, WhatStandsOnATurntableStays) {
+  using T = TypeParam;
+  for (const bool above : {false, true}) {
+    Simulation<T> s(settings<T>());
+    Dynamics<T> kinematic;
+    kinematic.kinematic = true;
+    const Body<T> box{
+        Box<T>({T(0.2), T(0.2), T(0.2)}), {{T(0.8), T(0.1), T(0)}, {}}, {T(0), T(0), T(-0.8)}, {T(0), T(1), T(0)}};
+    // Either of the two is the first.
+    const BodyId id = above ? s.add(box) : BodyId{};
+    s.add({Cylinder<T>(T(1), T(1)), {{T(0), T(-0.5), T(0)}, {}}, {}, {T(0), T(1), T(0)}}, kinematic);
+    const BodyId carried = above ? id : s.add(box);
+    for (int i = 0; i < 10 * 64; ++i) s.step(T(dt));
+    const Vec3<T> at = s.poses()[carried.index].translation;
+    EXPECT_NEAR(std::hypot(at.x, at.z), T(0.8), T(1e-3));
+    EXPECT_NEAR(std::atan2(-at.z, at.x), T(10 - 4 * std::numbers::pi), T(1e-2));
+  }
+}
+
+/// v' = -c v: a speed v ends after the way v / c, and a fall has the speed g / c at last.
+TYPED_TEST(SimulationOf, DampedBodiesGoAsFarAndFallAsFastAsTheyShould) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  Dynamics<T> damped;
+  damped.linear_damping = damped.angular_damping = T(10);
+  const BodyId falling = s.add({Sphere<T>(T(0.5)), {{T(50), T(0), T(0)}, {}}}, damped);
+  damped.gravity_factor = T(0);
+  const BodyId gliding = s.add({Sphere<T>(T(0.5)), {}, {T(2), T(0), T(0)}, {T(0), T(3), T(0)}}, damped);
+  for (int i = 0; i < 4 * 64; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.motion(falling).linear.y / settings<T>().gravity.y, T(0.1), T(1e-6));
+  EXPECT_NEAR(s.poses()[gliding.index].translation.x, T(0.2), T(1e-6));
+  EXPECT_NEAR(T(2) * std::asin(s.poses()[gliding.index].rotation.y), T(0.3), T(1e-5));
 }
 
 TYPED_TEST(SimulationOf, BulletsStopAtAWallAndAtEachOther) {
