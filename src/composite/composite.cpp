@@ -135,6 +135,7 @@ template <class T>
   const Part<T> whole_a{a, pose_a}, whole_b{b, pose_b};
   TouchingPieces<T> found{whole_a, whole_b, beside, margin, singly || !(margin >= T(0)), ManifoldGroups<T>(manifolds)};
   visit_convex_pairs<T>(whole_a, whole_b, {margin, nullptr, true}, PairVisitor<T>(found));
+  found.add_ways_out();
   found.groups.finish();
   const bool solid = has_solid_mesh(a) || has_solid_mesh(b);
   if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds);

@@ -32,6 +32,7 @@ Part<T> met_by(const Part<T>& whole, const Shape<T>& other, const Pose<T>& seen)
   met.pushes = one_sided(whole.shape)                         ? Pushes::frontward
                : comes_from_outside(whole.shape, other, seen) ? Pushes::outward
                                                               : Pushes::either_way;
+  if (const auto* mesh = whole.shape.template as<Mesh<T>>(); mesh && mesh->solid()) met.solid = &mesh->data();
   return met;
 }
 

@@ -26,9 +26,10 @@ struct Part {
   bool outermost = true;
   Pushes pushes = Pushes::either_way;   ///< a triangle, or those of an opened surface
   const MeshPatch<T>* patch = nullptr;  ///< of its mesh, if it is a triangle of one
+  const MeshData<T>* solid = nullptr;   ///< its mesh, if that is a solid
 
   Part piece(const Shape<T>& child, const Pose<T>& child_pose, std::uint32_t child_number) const {
-    return {child, child_pose, outermost ? child_number : number, false, pushes};
+    return {child, child_pose, outermost ? child_number : number, false, pushes, nullptr, solid};
   }
 };
 

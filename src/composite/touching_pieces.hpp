@@ -14,6 +14,7 @@
 #include "composite/leaf_pairs.hpp"
 #include "composite/merge_manifolds.hpp"
 #include "composite/triangle_run.hpp"
+#include "composite/ways_out.hpp"
 #include "narrow/pair_table.hpp"
 
 namespace graze {
@@ -24,22 +25,22 @@ bool is_compound(const Shape<T>& shape) {
   return shape.template as<Compound<T>>() != nullptr;
 }
 
-/// Whether a triangle that pushes from its front alone, for this reason, would push along a direction that leads from
-/// its back. A sliver's normal is rounding, and along an edge the direction lies in the triangle's plane but for that:
-/// both push.
+/// Whether a triangle would push along a direction that leads from its back. A sliver's normal is rounding, and along an
+/// edge the direction lies in the triangle's plane but for that: both push.
 template <class T>
-bool from_behind(const Part<T>& part, Pushes reason, const Vec3<T>& outward) {
-  const auto* triangle = part.pushes == reason ? part.shape.template as<Triangle<T>>() : nullptr;
+bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
+  const auto* triangle = part.shape.template as<Triangle<T>>();
   if (!triangle) return false;
   const Vec3<T> u = triangle->point(1) - triangle->point(0), v = triangle->point(2) - triangle->point(0);
   const T along = dot(rotate(part.pose.rotation, cross(u, v)), outward);
   return along < -same_normal<T> * max_abs(u) * max_abs(v);
 }
 
-/// Whether either of two pieces, the normal of whose contact leads from A to B, would push from its back.
+/// Whether either of two pieces that pushes from its front alone, for this reason, would push from its back. The normal
+/// of their contact leads from A to B.
 template <class T>
 bool from_behind(const Part<T>& a, const Part<T>& b, Pushes reason, const Vec3<T>& normal) {
-  return from_behind(a, reason, normal) || from_behind(b, reason, -normal);
+  return (a.pushes == reason && from_behind(a, normal)) || (b.pushes == reason && from_behind(b, -normal));
 }
 
 /// Sets the numbers of the pieces that a manifold is of.
@@ -68,6 +69,7 @@ struct TouchingPieces {
   bool singly;  ///< without kernels
   ManifoldGroups<T> groups;
   FlatFaces<T> faces{a, b, margin, beside.empty()};
+  WaysOut<T> ways_out = {};
   T least_distance = std::numeric_limits<T>::infinity();
   Manifold<T> instead = {};                ///< the last resort, where nothing else is left
   bool instead_is_ghost = false;           ///< its normal is none of the surface's
@@ -81,6 +83,11 @@ struct TouchingPieces {
   void operator()(const TriangleRun<T>& run) {
     if (!faces.knows_faces()) return ask(run);
     ask(run.without([&](std::size_t i) { return is_on_known_face(run, i); }));
+  }
+
+  /// Adds the ways out of solid meshes.
+  void add_ways_out() {
+    ways_out.for_each([&](const Manifold<T>& manifold) { groups.add(manifold); });
   }
 
   /// Adds the point without which what touches would have none. Of what is only near, every contact is another body's.
@@ -163,8 +170,24 @@ struct TouchingPieces {
     return {behind, found.manifold, found.instead, found.instead_is_ghost};
   }
 
+  /// Whether a contact would pull a body further into a solid mesh in which its middle is. Of a body that comes from
+  /// outside what is behind counts for nothing anyway.
+  bool pulls_in(const Part<T>& pa, const Part<T>& pb, T distance, const Manifold<T>& manifold) {
+    if (manifold.points.empty() || distance > T(0)) return false;
+    const Vec3<T>& normal = manifold.normal;
+    const auto met_from_behind = [](const Part<T>& part, const Vec3<T>& outward) {
+      return part.solid && part.pushes != Pushes::outward && from_behind(part, outward);
+    };
+    return (met_from_behind(pa, normal) && ways_out.leads_out(pb, pa, false, margin)) ||
+           (met_from_behind(pb, -normal) && ways_out.leads_out(pa, pb, true, margin));
+  }
+
   /// The manifold of a pair of pieces, and their distance.
   void take(const Part<T>& pa, const Part<T>& pb, T distance, Manifold<T>& manifold) {
+    if (pulls_in(pa, pb, distance, manifold)) {
+      least_distance = least(least_distance, distance);
+      return;
+    }
     if (from_behind(pa, pb, Pushes::frontward, manifold.normal)) return;
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
@@ -172,6 +195,7 @@ struct TouchingPieces {
     if (faces.passes_over(pa, pb, true)) return;  // its distance counts already
     name_pieces(manifold, pa, pb);
     Taken taken = settled(pa, pb, distance, manifold);
+    if (pulls_in(pa, pb, distance, taken.manifold)) return;
     // A normal that is the surface's is kept before one that is not, then what is nearest.
     const bool real = instead_is_ghost && !taken.instead_is_ghost && !taken.instead.points.empty();
     const bool worse = taken.instead_is_ghost && !instead_is_ghost && !instead.points.empty();

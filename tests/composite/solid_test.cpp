@@ -58,6 +58,38 @@ TYPED_TEST(Solid, OnePointOfContactWhateverTheMargin) {
   }
 }
 
+/// With its middle inside, the surface would pull a body in by the shorter way. It comes out at the nearest side, as it
+/// does of a box.
+TYPED_TEST(Solid, WhatPokesOutIsPushedOut) {
+  using T = TypeParam;
+  const Shape<T> bodies[] = {this->ball, Box<T>({T(1), T(1), T(1)}), Capsule<T>(T(0.4), T(0.3))};
+  for (const Sides sides : {Sides::both, Sides::front})
+    for (const bool child : {false, true})
+      for (const Shape<T>& body : bodies)
+        for (const T height : {T(2.3), T(2.01), T(1.99), T(1.6)})
+          for (const bool swapped : {false, true}) {
+            const auto* mesh = this->solid.template as<Mesh<T>>();
+            const Shape<T> one_sided = Mesh<T>({mesh->points().begin(), mesh->points().end()},
+                                               {mesh->triangles().begin(), mesh->triangles().end()}, sides, true);
+            const Shape<T> block = child ? Shape<T>(Compound<T>({{one_sided, {}}})) : one_sided;
+            const Pose<T> at{{T(0.1), height, T(0.3)}, {}};
+            SCOPED_TRACE(::testing::Message() << body.name() << " at " << height << (child ? ", a child" : ""));
+            Manifolds<T> manifolds;
+            EXPECT_TRUE(swapped ? contacts(body, at, block, this->origin, T(0), manifolds)
+                                : contacts(block, this->origin, body, at, T(0), manifolds));
+            ASSERT_FALSE(manifolds.empty());
+            T deepest(0);
+            for (const Manifold<T>& m : manifolds) {
+              EXPECT_NEAR(m.normal.y, swapped ? -1 : 1, this->noise);
+              for (const ContactPoint<T>& p : m.points) {
+                deepest = std::min(deepest, p.distance);
+                EXPECT_LE(max_abs(p.b - p.a - m.normal * p.distance), this->noise);
+              }
+            }
+            EXPECT_NEAR(deepest, height - T(2.5), this->noise);
+          }
+}
+
 TYPED_TEST(Solid, AsAChildOfACompound) {
   using T = TypeParam;
   const Shape<T> compound = Compound<T>({Placed<T>{this->solid, {{T(10), T(0), T(0)}, {}}}});
