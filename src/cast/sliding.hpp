@@ -37,6 +37,13 @@ struct PieceSeams {
 
   /// A direction of the world in the frame of a piece.
   static Vec3d own(const PieceAt<T>& piece, const Vec3d& n) { return rotate(conjugate(piece.pose().rotation), n); }
+  /// Whether the normal of an impact leads over the seam of either on which its point lies.
+  bool crossed_at(const Impact& impact, const PieceAt<T>& at_a, const PieceAt<T>& at_b, const Vec3d& offset) const {
+    return crossed_at(a, at_a, impact.normal, impact.a) || crossed_at(b, at_b, -impact.normal, impact.b - offset);
+  }
+  static bool crossed_at(const SurfaceSeams* seams, const PieceAt<T>& at, const Vec3d& n, const Vec3d& point) {
+    return seams != nullptr && seams->crossed_by(own(at, n), inverse_transform(at.pose(), point));
+  }
   /// Whether a unit normal from A to B leads over a seam of either.
   bool crossed_by(const Vec3d& n, const PieceAt<T>& at_a, const PieceAt<T>& at_b) const {
     return (a && a->crossed_by(own(at_a, n))) || (b && b->crossed_by(own(at_b, -n)));

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "graze/shape.hpp"
@@ -30,17 +31,18 @@ class SurfaceSeams {
     if (normal_ == Vec3d{}) return;
     const TrianglesAcross across = data.across(number);
     for (std::size_t i = 0; i < 3; ++i) {
-      if (across[i] == no_triangle) continue;
       const Vec3d& begin = own[i];
       const Vec3d along = normalized(own[(i + 1) % 3] - begin, Vec3d{});
+      sides_[i] = {begin, cross(along, normal_)};
+      if (across[i] == no_triangle) continue;
       // The corner beyond the edge is the one that lies furthest from its line.
-      Vec3d beyond{};
+      Vec3d beyond{}, far{};
       for (const Vec3d& corner : corners(data, across[i])) {
         const Vec3d aside = corner - begin - along * dot(corner - begin, along);
-        if (length_squared(aside) > length_squared(beyond)) beyond = aside;
+        if (length_squared(aside) > length_squared(beyond)) beyond = aside, far = corner;
       }
       beyond = normalized(beyond, Vec3d{});
-      if (beyond != Vec3d{}) seams_[count_++] = {cross(along, normal_), beyond};
+      if (beyond != Vec3d{}) seams_[count_++] = {i, beyond, far};
     }
   }
 
@@ -49,14 +51,31 @@ class SurfaceSeams {
   /// Whether a unit vector leads over a seam, into the triangle beyond.
   bool crossed_by(const Vec3d& n) const {
     for (std::size_t i = 0; i < count_; ++i)
-      if (dot(n, seams_[i].outward) > over_edge && dot(n, seams_[i].beyond) > over_edge) return true;
+      if (leads_over(seams_[i], n)) return true;
+    return false;
+  }
+  /// Whether it leads over the seam on which a point of the triangle lies, so that what is beyond is cut there. On a rim
+  /// it leads into the air, whatever lies beyond other sides.
+  bool crossed_by(const Vec3d& n, const Vec3d& point) const {
+    std::array<double, 3> aside;
+    for (std::size_t i = 0; i < 3; ++i) aside[i] = std::abs(dot(point - sides_[i].begin, sides_[i].outward));
+    // A corner lies on two sides, but for rounding.
+    const double nearest = least(least(aside[0], aside[1]), aside[2]) + over_edge * (aside[0] + aside[1] + aside[2]);
+    for (std::size_t i = 0; i < count_; ++i)
+      if (leads_over(seams_[i], n) && aside[seams_[i].side] <= nearest && dot(n, seams_[i].far - point) > 0)
+        return true;
     return false;
   }
 
  private:
-  struct Seam {
+  struct Side {
+    Vec3d begin;    ///< a corner on it
     Vec3d outward;  ///< in the triangle's plane, away from it
-    Vec3d beyond;   ///< in the plane of the triangle beyond, into it
+  };
+  struct Seam {
+    std::size_t side;
+    Vec3d beyond;  ///< in the plane of the triangle beyond, into it
+    Vec3d far;     ///< the corner of that triangle which is not on the seam
   };
   template <class Data>
   static std::array<Vec3d, 3> corners(const Data& data, std::uint32_t number) {
@@ -64,6 +83,11 @@ class SurfaceSeams {
     return {converted<double>(c[0]), converted<double>(c[1]), converted<double>(c[2])};
   }
 
+  bool leads_over(const Seam& seam, const Vec3d& n) const {
+    return dot(n, sides_[seam.side].outward) > over_edge && dot(n, seam.beyond) > over_edge;
+  }
+
+  std::array<Side, 3> sides_{};
   std::array<Seam, 3> seams_{};
   std::size_t count_ = 0;
   Vec3d normal_{};

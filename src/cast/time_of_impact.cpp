@@ -95,10 +95,10 @@ class Advancement {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
       Impact impact = known ? *known : at(t, a, b);
       known.reset();
-      const bool touch = touches(impact);
-      const bool over_seam = touch && separating_ == Separating::ignored && seams_.crossed_by(impact.normal, a, b);
-      if (over_seam) impact = along_face(impact, a, b);
       const Vec3d offset = motion_.offset_at(t);
+      const bool touch = touches(impact);
+      const bool over_seam = touch && separating_ == Separating::ignored && seams_.crossed_at(impact, a, b, offset);
+      if (over_seam) impact = along_face(impact, a, b);
       Separation<T> separation(a, b, radii(), impact.normal, offset, gap_motion(impact.normal, offset));
       const double left = interval.end - t;
       double step = 0;
@@ -295,7 +295,7 @@ class Advancement {
   /// An impact whose normal leads over a seam of a triangle, along that triangle's own normal, on the side on which the
   /// middle of the other shape is.
   Impact along_face(const Impact& found, const PieceAt<T>& a, const PieceAt<T>& b) const {
-    const bool of_a = seams_.a && seams_.a->crossed_by(PieceSeams<T>::own(a, found.normal));
+    const bool of_a = PieceSeams<T>::crossed_at(seams_.a, a, found.normal, found.a);
     const PieceAt<T>&face = of_a ? a : b, &other = of_a ? b : a;
     const Vec3d up = unit(rotate(face.pose().rotation, (of_a ? seams_.a : seams_.b)->normal()));
     const Vec3d offset = motion_.offset_at(found.t), middle = (other.support(up) + other.support(-up)) * 0.5;

@@ -1,5 +1,7 @@
 #include "composite/composite.hpp"
 
+#include <algorithm>
+
 #include "composite/leaf_pairs.hpp"
 #include "composite/solid.hpp"
 #include "composite/spanning_points.hpp"
@@ -105,6 +107,18 @@ T size_about_origin(const Shape<T>& shape) {
   });
 }
 
+/// The part of the smaller shape by which the deepest contact may be less deep than the distance (see `contacts`).
+template <class T>
+inline constexpr T shallower = T(1) / T(200);
+
+/// Whether any point of the manifolds from `first` on is as deep as that.
+template <class T>
+bool any_as_deep(const Manifolds<T>& manifolds, std::size_t first, T distance) {
+  const auto as_deep = [&](const ContactPoint<T>& p) { return p.distance <= distance; };
+  return std::any_of(manifolds.begin() + static_cast<std::ptrdiff_t>(first), manifolds.end(),
+                     [&](const auto& m) { return std::any_of(m.points.begin(), m.points.end(), as_deep); });
+}
+
 /// A point for what lies inside a solid mesh. The way from within to the surface is no contact then: it would push
 /// inward.
 template <class T>
@@ -139,8 +153,9 @@ template <class T>
   found.groups.finish();
   const bool solid = has_solid_mesh(a) || has_solid_mesh(b);
   if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds);
-  if (manifolds.size() == first) found.add_last_resort();
   const T size = least(size_about_origin(a), size_about_origin(b));
+  if (found.touching() && !any_as_deep(manifolds, first, found.least_distance + size * shallower<T>))
+    found.add_last_resort();
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
   return found.least_distance;
 }

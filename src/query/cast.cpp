@@ -239,8 +239,13 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const V
   }
   const Asked<T> asked(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, options);
   const std::optional<PieceImpact> first = first_impact(asked);
-  if ((has_solid_mesh(a) || has_solid_mesh(b)) && !(first && first->impact.t == 0))
-    if (const auto hit = hit_inside(a, pose_a, velocity_a, b, pose_b, velocity_b, options)) return hit;
+  const bool touching = first && first->impact.t == 0,
+             parts = a.template as<Compound<T>>() || b.template as<Compound<T>>();
+  if ((has_solid_mesh(a) || has_solid_mesh(b)) && (!touching || parts)) {
+    // Of a compound that touches a solid from without, a child may be deeper inside.
+    const auto hit = hit_inside(a, pose_a, velocity_a, b, pose_b, velocity_b, options);
+    if (hit && !(touching && hit->depth <= static_cast<T>(-first->impact.distance))) return hit;
+  }
   // In float `overlap` rounds more than a cast does. Shapes that touch by it hit here too.
   if (std::is_same_v<T, float> && options.separating == Separating::hit && !(first && first->impact.t == 0) &&
       !asked.begins_far() && any_overlap<T>(a, pose_a, b, pose_b)) {

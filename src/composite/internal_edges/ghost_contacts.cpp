@@ -102,11 +102,29 @@ Manifold<T> furthest_below(const LeafInContext<T>& self, const LeafInContext<T>&
   return manifold;
 }
 
-/// Whether a piece goes as far as a place in the plane of one of its faces.
+/// Whether a piece goes as far as a place in the plane of one of its faces, but for `beside`.
 template <class T>
-bool reaches_to(const LeafInContext<T>& self, const Vec3<T>& place) {
+bool reaches_to(const LeafInContext<T>& self, const Vec3<T>& place, T beside = T(0)) {
   const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent()) + place_noise(place);
-  return distance_to(self, place) <= noise;
+  return distance_to(self, place) <= beside + noise;
+}
+
+/// The contact `tilted` of pieces that are apart, laid along the face whose normal leans from its own because an edge
+/// runs beside the face's rim: point by point, as far as that lean explains where they are.
+template <class T>
+Manifold<T> beside_edge(const LeafInContext<T>& self, bool of_a, const Vec3<T>& outward, const Vec3<T>& face,
+                        const Manifold<T>& tilted) {
+  Manifold<T> manifold = between_same_pieces(tilted);
+  manifold.normal = of_a ? face : -face;
+  const T top = dot(furthest(self.piece, self.pose, face), face), lean = T(2) * length(outward - face);
+  for (const ContactPoint<T>& p : tilted.points) {
+    const Vec3<T> beyond = of_a ? p.b : p.a;
+    const T distance = dot(beyond, face) - top;
+    const Vec3<T> place = beyond - face * distance;
+    if (!reaches_to(self, place, lean * greatest(T(0), distance))) continue;
+    manifold.points.push_back({of_a ? place : beyond, of_a ? beyond : place, distance, p.feature});
+  }
+  return manifold;
 }
 
 /// The rounding error of the coordinates of a place on a piece, wherever the origin is.
@@ -358,13 +376,43 @@ std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const Leaf
   return right;
 }
 
+/// Whether points that were laid along a corrected normal are deeper than the pieces are in each other, and in their
+/// middle the other shape does not reach up to the piece: it lies beside that then, and only goes on below its plane, as
+/// the base of a cone beside a sheet does.
+template <class T>
+bool is_beside(const LeafInContext<T>& self, const LeafInContext<T>& other, const SeenContact<T>& contact,
+               const Manifold<T>& laid) {
+  if (laid.points.empty()) return false;
+  Vec3<T> sum{};
+  for (const ContactPoint<T>& p : laid.points) sum += p.*contact.side;
+  const Vec3<T> middle = sum / T(laid.points.size());
+  const T noise = own_noise(self, middle), deep = T(2) * least(contact.distance, T(0)) - noise;
+  const bool deeper =
+      std::any_of(laid.points.begin(), laid.points.end(), [&](const auto& p) { return p.distance < deep; });
+  return deeper && distance_to(other, middle) > noise;
+}
+
 /// Whether a corrected contact is another piece's, after it was laid: where the piece is not met along its face,
 /// nothing need be known of what covers it.
 template <class T>
-bool is_of_another_piece(const LeafInContext<T>& self, const LeafInContext<T>& other, const Correction<T>& right,
-                         const Manifold<T>& laid) {
-  return right.elsewhere ||
+bool is_of_another_piece(const LeafInContext<T>& self, const LeafInContext<T>& other, const SeenContact<T>& contact,
+                         const Correction<T>& right, const Manifold<T>& laid) {
+  return right.elsewhere || (!right.least_way && is_beside(self, other, contact, laid)) ||
          (right.unless_covered && !laid.points.empty() && is_covered(self, *right.unless_covered, right.normal, other));
+}
+
+/// One point for pieces that touch, along a corrected normal along which nothing shows how deep they are: where the
+/// other shape reaches furthest below the piece, or, if that is beside the piece, where they meet.
+template <class T>
+Manifold<T> touching_point(const LeafInContext<T>& self, const LeafInContext<T>& other, bool of_a,
+                           const SeenContact<T>& contact, const Vec3<T>& outward, const Manifold<T>& like) {
+  Manifold<T> manifold = furthest_below(self, other, of_a, outward, like, contact.distance);
+  ContactPoint<T>& point = manifold.points[0];
+  if (reaches_to(self, point.*contact.side)) return manifold;
+  const Vec3<T> place = standing_point<T>(like.points, contact.side), beyond = place + outward * point.distance;
+  point.a = of_a ? place : beyond;
+  point.b = of_a ? beyond : place;
+  return manifold;
 }
 
 /// Whether a piece has a surface around it that a contact with the other can be a ghost of.
@@ -412,18 +460,20 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
       now = laid_along(a, b, of_a, right->normal, margin, found);
       if (now.points.empty() && !right->least_way) now = poking_corner(self, other, of_a, right->normal, found);
     }
-    if (right && is_of_another_piece(self, other, *right, now)) {
+    if (right && is_of_another_piece(self, other, seen, *right, now)) {
       now = between_same_pieces(now);
       settled.instead = manifold;
       settled.instead_is_ghost = true;
     } else if (right) {
       if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
       // Whether the two are as deep as that at all, nothing laid along the normal has shown.
-      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, right->normal, found, distance);
+      if (now.points.empty()) settled.instead = touching_point(self, other, of_a, seen, right->normal, found);
     } else if (sliver) {
       const Manifold<T> corner = furthest_below(self, other, of_a, face, found);
       if (reaches_to(self, corner.points[0].*side))
         now = corner;
+      else if (distance > T(0))
+        now = beside_edge(self, of_a, outward, face, found);
       else
         settled.instead = found;
     }
