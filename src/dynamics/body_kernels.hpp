@@ -23,7 +23,7 @@ template <class T, class Space>
 struct IslandBody {
   FreeBodyIn<Space> free{};  ///< as it is now
   Influences<T, Space> influences{};
-  InertiaIn<Space> world_inertia{};  ///< in world space, at the beginning of the step; zero where it is infinite
+  InertiaIn<Space> world_inertia{};  ///< in world space; zero where it is infinite
   FreeBodyIn<Space> first{};         ///< as contacts found it
   typename Rigid<Space>::PrincipalInertia inertia{};
   T inverse_mass{};

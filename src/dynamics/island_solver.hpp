@@ -55,6 +55,7 @@ class IslandSolver {
   void begin_sub_step(const SubStep<T>& time);
   void move(const SubStep<T>& time);
   void end_sub_step();
+  void turn_inertia(std::size_t i);
   void move_unpushed(const SubStep<T>& time);
   void solve_rows(const ContactStep<T>& step, bool bias);
   void solve_joints(bool bias);

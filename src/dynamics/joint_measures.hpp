@@ -1,9 +1,10 @@
 // The measures of a joint's limits and drives: lengths and angles of one frame seen from another, and the rates at
 // which velocities change them.
 //
-// Guarantee: each row is the exact derivative of its measure, for any distance and angle of the frames, but for the
-// locked angles, whose rows are those of frames that agree, as they do while a joint holds. Lengths and angles that
-// have no direction at zero get one of frame A's axes.
+// Guarantee: each row is the exact derivative of its measure, for any distance and angle of the frames, but for locked
+// angles of frames that are far apart, as they are never while a joint holds. Any other row adds energy: frames that turn
+// fast against each other differ within a sub-step. Lengths and angles that have no direction at zero get one of frame
+// A's axes.
 #pragma once
 
 #include <array>
@@ -48,6 +49,9 @@ template <class T>
 struct JointFrames<T, Space<T>> {
   using Body = SolverBody<T, Space<T>>;
   using Row = MeasuredRow<T, Space<T>>;
+
+  /// The cosine of an angle of frames that a joint locks from which on it holds them, and does not recover them.
+  static constexpr T near = T(0.5);
 
   Mat3<T> a, b;              ///< axes as columns
   Quat<T> turn{};            ///< of B seen from A, the shorter way
@@ -111,12 +115,20 @@ struct JointFrames<T, Space<T>> {
     return about(s > T(0) ? a * (turn.vector() / s) : a.column(0), T(2) * angle_of(turn.w, s));
   }
 
-  /// The part about axis i of what keeps the axes k together.
+  /// The part about axis i of what keeps the axes k together: of the cross product of both. Where they are far apart its
+  /// rate vanishes about some axes, and it is that of frames that agree.
   Row locked_swing(std::size_t i, std::size_t k) const {
-    return about(a.column(i), dot(cross(a.column(k), b.column(k)), a.column(i)));
+    const Vec3<T> across = cross(a.column(i), a.column(k)), own = b.column(k);
+    const Vec3<T> rate = dot(a.column(k), own) > near ? cross(own, across) : a.column(i);
+    return about(rate, dot(own, across));
   }
-  /// The part about axis i of what keeps both frames together.
-  Row locked_turn(std::size_t i) const { return about(a.column(i), T(2) * turn.vector()[i]); }
+  /// The part about axis i of what keeps both frames together: twice the turn's. Its rate is that of `twist`'s q_i.
+  Row locked_turn(std::size_t i) const {
+    Vec3<T> e{};
+    e[i] = T(1);
+    const Vec3<T> v = turn.vector();
+    return about(turn.w > near ? a * (e * turn.w + cross(v, e)) : a.column(i), T(2) * v[i]);
+  }
 
   Row measured(const Measured& what) const {
     switch (what.measure) {
