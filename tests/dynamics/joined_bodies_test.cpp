@@ -92,9 +92,9 @@ void expect_links_to_gain_nothing(double rate, bool falls) {
     ASSERT_LT(energy(), first * 1.001) << i;
     const Vec3d hinge_a = rotate(s.poses()[a.index].rotation, Vec3d{1, 0, 0}),
                 hinge_b = rotate(s.poses()[b.index].rotation, Vec3d{1, 0, 0});
-    ASSERT_LT(length(hinge_a - hinge_b), 0.01) << i;
+    ASSERT_LT(length(hinge_a - hinge_b), falls ? 0.1 : 0.001) << i;
   }
-  EXPECT_GT(energy(), falls ? 0 : first * 0.98);
+  EXPECT_GT(energy(), falls ? 0 : first * 0.7);
 }
 
 TEST(JoinedBodies, LinksThatFoldGainNothing) {
