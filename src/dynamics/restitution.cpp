@@ -10,6 +10,7 @@
 
 #include "dynamics/simulation_parts.hpp"
 #include "graze/plane/blows.hpp"
+#include "shape/rounding.hpp"
 
 namespace graze {
 
@@ -30,11 +31,42 @@ constexpr std::size_t blows_per_contact = 16;
 /// each has flown for another time after the first blow, and they would fly into each other.
 constexpr int most_flights = 8;
 
-/// A point of a manifold where the bodies are now, halfway between its two material points.
+/// The ball about the core of a shape. A point of contact stands on it, wherever the body turns below.
+template <class T>
+struct Roundness {
+  T radius{};
+  bool ball = false;  ///< the core is a point
+};
+template <class T>
+Roundness<T> roundness_of(const Shape<T>& shape) {
+  if (!shape.convex()) return {};
+  return {rounding_radius(shape), shape.template as<Sphere<T>>() != nullptr};
+}
+template <class T>
+Roundness<T> roundness_of(const plane::Shape<T>& shape) {
+  if (const auto* circle = shape.template as<plane::Circle<T>>()) return {circle->radius() + shape.rounding(), true};
+  const auto* capsule = shape.template as<plane::Capsule<T>>();
+  return {(capsule ? least(capsule->radius_bottom(), capsule->radius_top()) : T(0)) + shape.rounding()};
+}
+
+/// A point of a manifold where the bodies are now.
 template <class T, class Space>
 struct MovedPoint {
-  typename Space::Vec position;
-  T distance;
+  using Vec = typename Space::Vec;
+  Vec core_a, core_b;  ///< below the points of both surfaces by their radii
+  Vec normal;          ///< of two balls that of the way between their centres
+  Roundness<T> round_a, round_b;
+  T weight{};  ///< of B's point in their common place
+
+  Vec a() const { return core_a + normal * round_a.radius; }
+  Vec b() const { return core_b - normal * round_b.radius; }
+  /// The common place. Bodies that slide on each other take their points along; a ball is met below its centre.
+  Vec position() const {
+    if (round_a.ball) return a() + normal * (distance() * weight);
+    if (round_b.ball) return b() - normal * (distance() * (T(1) - weight));
+    return a() + (b() - a()) * weight;
+  }
+  T distance() const { return dot(b() - a(), normal); }
 };
 
 template <class T, class Space>
@@ -47,9 +79,45 @@ typename Space::Vec moved(const FreeBodyIn<Space>& from, const FreeBodyIn<Space>
 template <class T, class Space>
 MovedPoint<T, Space> moved(const SimulationParts<T, Space>& parts, const ContactPair<T>& pair,
                            const typename Space::Vec& normal, const typename Space::ContactPoint& p) {
-  const typename Space::Vec a = moved<T, Space>(parts.before[pair.a], parts.bodies[pair.a].free, p.a);
-  const typename Space::Vec b = moved<T, Space>(parts.before[pair.b], parts.bodies[pair.b].free, p.b);
-  return {a + (b - a) * p.weight, dot(b - a, normal)};
+  MovedPoint<T, Space> at;
+  at.weight = p.weight;
+  at.round_a = roundness_of(parts.world.bodies().shapes()[pair.a]);
+  at.round_b = roundness_of(parts.world.bodies().shapes()[pair.b]);
+  at.core_a = moved<T, Space>(parts.before[pair.a], parts.bodies[pair.a].free, p.a - normal * at.round_a.radius);
+  at.core_b = moved<T, Space>(parts.before[pair.b], parts.bodies[pair.b].free, p.b + normal * at.round_b.radius);
+  at.normal = at.round_a.ball && at.round_b.ball ? normalized(at.core_b - at.core_a, normal) : normal;
+  return at;
+}
+
+/// A meeting to come.
+template <class T>
+struct Meeting {
+  T time = std::numeric_limits<T>::infinity();  ///< from now; negative where the bodies have met already
+  T speed{};                                    ///< of the approach then
+};
+
+/// The meeting of two balls, by the root of |d + v t| = r.
+template <class T, class Vec>
+Meeting<T> meeting_of_balls(const Vec& d, const Vec& v, T r) {
+  const T half = dot(d, v), square = length_squared(v), beyond = length_squared(d) - r * r,
+          root_squared = half * half - square * beyond;
+  if (!(root_squared > T(0)) || !(r > T(0))) return {};
+  const T root = std::sqrt(root_squared);
+  return {half < T(0) ? beyond / (root - half) : -(half + root) / square, root / r};
+}
+
+/// The meeting at a point of a manifold. `behind_a` and `behind_b`: for how long the bodies have still to move on.
+template <class T, class Space>
+Meeting<T> meeting_at(MovedPoint<T, Space> at, const MotionIn<Space>& a, const MotionIn<Space>& b, T behind_a,
+                      T behind_b) {
+  at.core_a += velocity_at(a, at.core_a) * behind_a;
+  at.core_b += velocity_at(b, at.core_b) * behind_b;
+  if (at.round_a.ball && at.round_b.ball)
+    return meeting_of_balls(at.core_b - at.core_a, velocity_at(b, at.core_b) - velocity_at(a, at.core_a),
+                            at.round_a.radius + at.round_b.radius);
+  const auto point = at.position();
+  const T speed = dot(velocity_at(a, point) - velocity_at(b, point), at.normal);
+  return speed > T(0) ? Meeting<T>{at.distance() / speed, speed} : Meeting<T>{};
 }
 
 /// The first blow that a body has part in, as the time from now; later than any without.
@@ -79,21 +147,13 @@ T time_of_blow(const SimulationParts<T, Space>& parts, const ContactPair<T>& pai
   const T gained = slow / bouncing_steps<T>;  // at most, by gravity in the step
   bool known = flown;
   T first = std::numeric_limits<T>::infinity(), soonest = first;
+  const T behind_a = (parts.shares[pair.a] - share) * dt, behind_b = (parts.shares[pair.b] - share) * dt;
   for (const SolverPoint<T, Space>& p : points) {
     known = known || !(p.impulse == typename Space::Vec{});
-    SolverPoint<T, Space> at = p;
-    if (flown) {
-      const T behind_a = (parts.shares[pair.a] - share) * dt, behind_b = (parts.shares[pair.b] - share) * dt;
-      at.a = moved<T, Space>(parts.before[pair.a], parts.bodies[pair.a].free, p.a);
-      at.b = moved<T, Space>(parts.before[pair.b], parts.bodies[pair.b].free, p.b);
-      at.a += velocity_at(a, at.a) * behind_a;
-      at.b += velocity_at(b, at.b) * behind_b;
-      at.distance = dot(at.b - at.a, m.normal);
-    }
-    const T speed = -relative_velocity(at, m.normal, a, b).normal;
-    if (!(speed > slow)) continue;
-    first = least(first, at.distance / speed);
-    soonest = least(soonest, at.distance / (speed + gained));
+    const Meeting<T> meeting = meeting_at(moved<T, Space>(parts, pair, m.normal, p), a, b, behind_a, behind_b);
+    if (!(meeting.speed > slow)) continue;
+    first = least(first, meeting.time);
+    soonest = least(soonest, meeting.time * meeting.speed / (meeting.speed + gained));
   }
   if (soonest > dt * share) return std::numeric_limits<T>::infinity();
   return greatest(least(first, dt * share), known ? T(0) : -dt);
@@ -174,9 +234,12 @@ void gather(const SimulationParts<T, Space>& parts, const Islands::Range& range,
     bool placed = false;
     for (const ContactManifold<T, Space>& m : parts.world.contacts().manifolds_of(*pair)) {
       const auto first = static_cast<std::uint32_t>(island.points.size());
+      typename Space::Vec normal = m.normal;
       for (const SolverPoint<T, Space>& p : parts.world.contacts().points_of(m)) {
         const MovedPoint<T, Space> at = moved<T, Space>(parts, *pair, m.normal, p);
-        if (at.distance <= near) island.points.push_back(at.position);
+        if (at.distance() > near) continue;
+        island.points.push_back(at.position());
+        normal = at.normal;
       }
       const auto count = static_cast<std::uint32_t>(island.points.size()) - first;
       if (count == 0) continue;
@@ -185,7 +248,7 @@ void gather(const SimulationParts<T, Space>& parts, const Islands::Range& range,
         b = place_of<T, Space>(parts, members, pair->b, island);
         placed = true;
       }
-      island.blows.push_back({a, b, m.normal, material.restitution, first, count});
+      island.blows.push_back({a, b, normal, material.restitution, first, count});
       island.friction.push_back(material.dynamic_friction);
     }
   }

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "dynamics/simulated.hpp"
+#include "graze/plane/simulation.hpp"
 
 namespace graze::testing {
 namespace {
@@ -58,6 +61,52 @@ TEST(Restitution, NothingIsBrakedBeforeItIsStruck) {
       }
       EXPECT_NEAR(top, height, 0.01 * height) << round << ", " << height;
     }
+}
+
+/// Two balls of one mass that meet somewhere within a step, without friction, however fast they spin: what they exchange
+/// is along the line of their centres at that moment, by the root of |d + v t| = 2 r.
+TEST(Restitution, SpinningBallsExchangeWhatIsAlongTheirCentres) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int met = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double r = 0.25;
+    const Vec3d at{1.2 + 0.2 * any(random), 0.4 * any(random), 0.3 * any(random)},
+        v{5 + 2 * any(random), any(random), 0};
+    const double along = dot(at, v) / length_squared(v),
+                 square = 4 * r * r - (length_squared(at) - along * along * length_squared(v));
+    if (square < 0.01) continue;  // grazing: hardly an approach
+    ++met;
+    const double time = along - std::sqrt(square / length_squared(v));
+    const Vec3d n = normalized(at - v * time), exchanged = n * dot(v, n);
+    const Vec3d spins[] = {{8 * any(random), 8 * any(random), 8 * any(random)}, {0, 0, 10 * any(random)}};
+    Simulation<double> s(settings<double>(0));
+    const BodyId a = s.add({Sphere<double>(r), {}, v, spins[0]}, {}, elastic());
+    const BodyId b = s.add({Sphere<double>(r), {at, {}}, {}, spins[1]}, {}, elastic());
+    for (int k = 0; k < 40; ++k) s.step(1.0 / 60);
+    EXPECT_LT(length(s.motion(a).linear - (v - exchanged)), 1e-9) << i;
+    EXPECT_LT(length(s.motion(b).linear - exchanged), 1e-9) << i;
+    EXPECT_LT(length(s.motion(a).angular - spins[0]), 1e-9) << i;
+    EXPECT_LT(length(s.motion(b).angular - spins[1]), 1e-9) << i;
+  }
+  EXPECT_GT(met, 200);
+}
+
+/// Discs of the plane on a floor and each other, without friction: no spin comes of it.
+TEST(Restitution, DiscsThatBounceAskewDoNotSpin) {
+  plane::Simulation<double> s(plane::SimulationSettings<double>{});
+  plane::Material<double> smooth;
+  smooth.static_friction = smooth.dynamic_friction = 0;
+  smooth.restitution = 1;
+  plane::Body<double> floor{plane::HalfPlane<double>(), {}};
+  floor.fixed = true;
+  s.add(floor, {}, smooth);
+  std::vector<BodyId> discs;
+  for (int i = 0; i < 8; ++i)
+    discs.push_back(
+        s.add({plane::Circle<double>(0.25), {{0.6 * i, 1.0 + 0.13 * i}, {}}, {4.0 - i, -1.0 * i}}, {}, smooth));
+  for (int i = 0; i < 300; ++i) s.step(1.0 / 60);
+  for (const BodyId disc : discs) EXPECT_NEAR(s.motion(disc).angular, 0, 1e-9) << disc.index;
 }
 
 }  // namespace
