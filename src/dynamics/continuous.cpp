@@ -23,10 +23,13 @@ namespace {
 template <class T>
 constexpr T unasked_motion = T(0.5);
 
-/// The constant velocity that takes a body from where the step found it to where it is.
+/// The constant velocity that takes a body from where the step found it to where it is, turning about as often as it
+/// does at `spin`.
 template <class T, class Space>
-typename Space::Velocity mean_velocity(const typename Space::Pose& from, const typename Space::Pose& to, T dt) {
-  return {(to.translation - from.translation) / dt, turning_between(from.rotation, to.rotation, dt)};
+typename Space::Velocity mean_velocity(const typename Space::Pose& from, const typename Space::Pose& to,
+                                       const typename Space::Turning& spin, T dt) {
+  const typename Space::Turning turning = turning_between(from.rotation, to.rotation, dt);
+  return {(to.translation - from.translation) / dt, by_whole_turns(turning, spin, dt)};
 }
 
 /// Whether the step had contacts of the two.
@@ -129,12 +132,13 @@ std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, s
 template <class Space>
 struct HeldBody {
   bool joined, pushed;             ///< by a hard joint; by contacts or joints, in this step
+  bool touched;                    ///< what holds it back, when the step began
   typename Space::Vec carried_by;  ///< how far from its own way, by what it met and goes on
 };
 
-/// The angle in a step beyond which a body that is pushed and held back turns too fast for the steps: its contacts lie
-/// elsewhere before they have pushed, so that it is held back in every step and never gets out. The rest of its spin is
-/// taken, as by the blows that a shorter step would show.
+/// The angle in a step beyond which a body that is held back by what it touches turns too fast for the steps: its
+/// contacts lie elsewhere before they have pushed, so that it is held back in every step and never gets out. The rest of
+/// its spin is taken, as by the blows that a shorter step would show.
 template <class T>
 constexpr T followed_turn = T(1);
 
@@ -174,9 +178,9 @@ void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typen
   if (held.joined) part = part_given_back<T>(end.linear, acceleration, end.center - body.free.center, late);
   body.free.linear = part > T(0) ? end.linear - acceleration * (late * part) : end.linear;
   body.free.linear = keeping_energy<T>(body.free.linear, acceleration, held.carried_by);
-  const bool alone = held.pushed && !held.joined;
+  const bool in_touch = (held.pushed || held.touched) && !held.joined;
   turn_on<T, Space>(body.free, turning, !held.pushed && !held.joined,
-                    alone ? followed_turn<T> / dt : std::numeric_limits<T>::infinity());
+                    in_touch ? followed_turn<T> / dt : std::numeric_limits<T>::infinity());
 }
 
 /// The bodies that may have passed through something in this step, kinematic ones among them. What has no bounds, a
@@ -220,7 +224,7 @@ std::vector<typename Space::Velocity> mean_velocities(SimulationParts<T, Space>&
   std::vector<typename Space::Velocity> mean(parts.bodies.size());
   for (std::uint32_t i = 0; i < parts.bodies.size(); ++i) {
     if (alive[i] == 0 || !parts.bodies[i].moves || parts.bodies[i].asleep) continue;
-    mean[i] = mean_velocity<T, Space>(parts.found_at[i], parts.pose_of(i), dt);
+    mean[i] = mean_velocity<T, Space>(parts.found_at[i], parts.pose_of(i), parts.motion(i).angular, dt);
     const T reached = greatest(max_abs(mean[i].linear), max_abs(mean[i].angular));
     if (!(reached <= largest_magnitude<T>)) mean[i] = {};
     parts.world.move(parts.world.bodies().id(i), parts.found_at[i], mean[i].linear, mean[i].angular);
@@ -303,7 +307,8 @@ void SimulationParts<T, Space>::hold_back(T dt) {
     if (joined[i] == 0 && bodies[first[i].other].movable) carried[i] = carried_by(first[i]);
     typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
     at.translation += carried[i];
-    set_back<T, Space>(*this, i, at, dt - ends[i], dt, {joined[i] != 0, pushed[i] != 0, carried[i]});
+    const bool touched = met<T, Space>(world.contacts(), std::min(i, first[i].other), std::max(i, first[i].other));
+    set_back<T, Space>(*this, i, at, dt - ends[i], dt, {joined[i] != 0, pushed[i] != 0, touched, carried[i]});
   }
 }
 

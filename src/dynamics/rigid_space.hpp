@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "dynamics/turning.hpp"
 #include "graze/angles.hpp"
@@ -66,6 +68,14 @@ Vec3<T> turning_between(const Quat<T>& from, const Quat<T>& to, T time) {
   const T sine = length(turn.vector());
   const T per_sine = sine > T(0) ? T(2) * angle_of(turn.w, sine) / sine : T(2);
   return turn.vector() * (per_sine / time);
+}
+
+/// A turning that leads to the same rotation in this time, by whole turns as near to `like` as can be.
+template <class T>
+Vec3<T> by_whole_turns(const Vec3<T>& turning, const Vec3<T>& like, T time) {
+  const T turn = T(2) * std::numbers::pi_v<T> / time;
+  const Vec3<T> axis = normalized(turning, normalized(like, Vec3<T>{}));
+  return turning + axis * (turn * std::floor(dot(like - turning, axis) / turn + T(0.5)));
 }
 
 /// The change of `v` by turning it back: `rotate(conjugate(q), v) - v`, without the rounding of the difference.
@@ -200,6 +210,11 @@ auto depth_of_center(const Shape& shape, const Vec& center) {
 template <std::floating_point T>
 T finite_inertia(const T& inertia, const T& inverse) {
   return inverse > T(0) ? inertia : T(0);
+}
+template <std::floating_point T>
+T by_whole_turns(const T& turning, const T& like, T time) {
+  const T turn = T(2) * std::numbers::pi_v<T> / time;
+  return turning + turn * std::floor((like - turning) / turn + T(0.5));
 }
 template <std::floating_point T>
 bool is_accepted(const T& turning) {
