@@ -225,6 +225,9 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
   const detail::TriangleFace<S> a = frame.face(m.p.a, S(1), along.most_fall, noise),
                                 b = frame.face(m.p.b, S(-1), along.most_fall, noise);
   const S near = S(same_place) * sqrt(least(a.shortest_squared(), b.shortest_squared())), near_squared = near * near;
+  // Whether there is anything to clip: along a face's normal a triangle may show a vertex where it shows an edge along
+  // the line of the nearest points.
+  const Mask clipped = (a.whole & (b.whole | b.edge)) | (b.whole & a.edge);
   // An edge along a rim may lie beside the face by the effect of the normal's rounding on its projection.
   const S slack = select(a.edge | b.edge, S(along_rim) * near + S(rounded.normal) * smaller, noise);
 
@@ -260,8 +263,9 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
     found.filled = found.filled + select(here, S(T(1 << i)), S(0));
   }
   const S allowed = select(along.gap, S(laid_slack) * noise, S(face_preference) * smaller);
-  const Mask known = along.known & (found.filled > S(0)) & (nearest <= m.distance + allowed) &
-                     (near > S(laid_slack) * noise) & (!detail::any_together(corners, S(rounded.point) * smaller));
+  const Mask known = along.known & (along.in_point | clipped) & (found.filled > S(0)) &
+                     (nearest <= m.distance + allowed) & (near > S(laid_slack) * noise) &
+                     (!detail::any_together(corners, S(rounded.point) * smaller));
   found.known = one_where<S>(known);
 }
 
