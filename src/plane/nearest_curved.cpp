@@ -64,7 +64,10 @@ class GrowingPolygon {
     vertices_[i + 1] = v;
   }
 
-  Foot foot() const {
+  /// The foot of a difference that is known up to `near`.
+  Foot foot(double near) const {
+    for (std::size_t i = 0; i < size(); ++i)
+      if (length_squared(vertices_[i].point) <= near * near) return at_vertex(i);
     Foot inner;
     double least_reach = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < size(); ++i) {
@@ -83,7 +86,7 @@ class GrowingPolygon {
     const double allowed = 4 * least_reach * least_reach;
     if (least_reach >= 0 && inner.inside && length_squared(inner.point) <= allowed) return inner;
     // The foot lies on an edge in line with the nearest one, as with polygons, or there is no inside.
-    Foot outside = nearest_outside(inner);
+    Foot outside = nearest_outside(inner, near);
     if (!(least_reach >= 0 && inner.inside && length_squared(outside.point) <= allowed)) return outside;
     outside.inside = true;
     outside.normal = inner.normal;
@@ -101,15 +104,32 @@ class GrowingPolygon {
     f.point = f.parameter <= 0.5 ? p + e * f.parameter : q - e * (1 - f.parameter);
     return f;
   }
-  Foot nearest_outside(const Foot& otherwise) const {
+  /// A vertex at the origin, up to what the difference is known to. The way to the origin is rounding there and has no
+  /// direction; the one along which the vertex is furthest is a normal, since the difference ends at the origin there.
+  Foot at_vertex(std::size_t i) const {
+    Foot f;
+    f.edge = i;
+    f.point = vertices_[i].point;
+    f.normal = normalized(vertices_[i].direction);
+    f.reach = dot(f.point, f.normal);
+    f.inside = f.reach >= 0;
+    return f;
+  }
+  Foot nearest_outside(const Foot& otherwise, double near) const {
     Foot best = otherwise;
     double squared = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < size(); ++i)
       if (const Foot f = foot_on(i); length_squared(f.point) < squared) squared = length_squared(f.point), best = f;
     best.inside = false;
-    const Vec2d outward = normalized(right(vertices_[next(best.edge)].point - vertices_[best.edge].point),
-                                     vertices_[best.edge].direction);
-    best.normal = normalized(-best.point, outward);
+    // Within an edge the normal is both the edge's and the way's to the origin: rounding of the vertices turns the
+    // longer of the two least, and the way is all rounding where the edge runs through the origin. The edge faces the
+    // origin, unless the difference is thinner than it is known and this is its other side.
+    const Vec2d across = right(vertices_[next(best.edge)].point - vertices_[best.edge].point);
+    const double squared_across = length_squared(across), beyond = dot(best.point, across);
+    const bool within = 0 < best.parameter && best.parameter < 1;
+    const bool longer = squared_across > squared;
+    const bool faces = beyond <= 0 || beyond * beyond <= near * near * squared_across;
+    best.normal = normalized(within && longer && faces ? across : -best.point);
     best.reach = dot(best.point, best.normal);
     return best;
   }
@@ -179,7 +199,7 @@ Nearest nearest_curved(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
   for (const Vec2d& d : {Vec2d{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) polygon.push(difference(d));
   const double near = accuracy(a, b, b_in_a, size);
   for (;;) {
-    const Foot foot = polygon.foot();
+    const Foot foot = polygon.foot(near);
     const Vertex found = difference(foot.normal);
     const double reached = dot(found.point, foot.normal);
     if (steps) record(polygon, foot, found, pose_a, *steps);

@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 8167898180772717642u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 5307516099990802860u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 16128829021664813502u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 15277638969938483625u;
 
 }  // namespace graze::testing
 

@@ -120,9 +120,9 @@ Pose2<T> random_pose(double scale, std::mt19937& random) {
   return {{static_cast<T>(2 * scale * x), static_cast<T>(2 * scale * y)}, Rot2<T>::from_angle(static_cast<T>(angle))};
 }
 
-/// The signed distance of two placed figures, by a sweep over directions and a search about each that may be best.
+/// The separation of two placed figures along a unit vector, as a function of its components.
 template <class T>
-Wide swept_distance(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>& b, const Pose2<T>& pose_b) {
+auto separation_of(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>& b, const Pose2<T>& pose_b) {
   const auto turned = [](const Pose2<T>& pose) {
     const Wide c = pose.rotation.cosine, s = pose.rotation.sine, l = std::sqrt(c * c + s * s);
     return std::pair<Wide, Wide>{c / l, s / l};
@@ -131,17 +131,25 @@ Wide swept_distance(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>&
   const auto [cb, sb] = turned(pose_b);
   const Wide dx = Wide(pose_b.translation.x) - Wide(pose_a.translation.x),
              dy = Wide(pose_b.translation.y) - Wide(pose_a.translation.y);
-  const auto gap = [&, ca = ca, sa = sa, cb = cb, sb = sb](Wide angle) {
-    const Wide x = std::cos(angle), y = std::sin(angle);
+  return [&a, &b, dx, dy, ca = ca, sa = sa, cb = cb, sb = sb](Wide x, Wide y) {
     return dx * x + dy * y - a.reach(ca * x + sa * y, ca * y - sa * x) -
            b.reach(-(cb * x + sb * y), -(cb * y - sb * x));
   };
+}
+
+/// The signed distance of two placed figures, by a sweep over directions and a search about each that may be best.
+template <class T>
+Wide swept_distance(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>& b, const Pose2<T>& pose_b) {
+  const auto along = separation_of(a, pose_a, b, pose_b);
+  const auto gap = [&](Wide angle) { return along(std::cos(angle), std::sin(angle)); };
   constexpr int samples = 720;
   const Wide step = 2 * std::acos(Wide(-1)) / samples;
   std::vector<Wide> value(samples);
   for (int i = 0; i < samples; ++i) value[i] = gap(step * i);
   const Wide most = *std::max_element(value.begin(), value.end());
-  const Wide change = 4 * step * Wide(extent(a.shape) + extent(b.shape) + std::sqrt(dx * dx + dy * dy));
+  const Wide between = std::hypot(Wide(pose_b.translation.x) - Wide(pose_a.translation.x),
+                                  Wide(pose_b.translation.y) - Wide(pose_a.translation.y));
+  const Wide change = 4 * step * (Wide(extent(a.shape) + extent(b.shape)) + between);
   Wide best = most;
   for (int i = 0; i < samples; ++i) {
     if (value[i] < most - change || value[i] < value[(i + 1) % samples] ||
