@@ -32,14 +32,30 @@ typename Space::Velocity mean_velocity(const typename Space::Pose& from, const t
   return {(to.translation - from.translation) / dt, by_whole_turns(turning, spin, dt)};
 }
 
-/// Whether the step had contacts of the two.
+/// The part of the motion that needs no cast by which a body that is as deep as that may still sink in a step: less than
+/// contacts push it out, but not nothing, or it would hang there.
+template <class T>
+constexpr T sunk_on = T(0.125);
+
+/// The pair of two bodies, if the step had contacts of them.
 template <class T, class Space>
-bool met(const ContactArrays<T, Space>& contacts, std::uint32_t a, std::uint32_t b) {
-  const auto at = std::lower_bound(contacts.pairs.begin(), contacts.pairs.end(), IdPair{a, b},
+const ContactPair<T>* met(const ContactArrays<T, Space>& contacts, std::uint32_t a, std::uint32_t b) {
+  const IdPair ids{std::min(a, b), std::max(a, b)};
+  const auto at = std::lower_bound(contacts.pairs.begin(), contacts.pairs.end(), ids,
                                    [](const ContactPair<T>& pair, const IdPair& wanted) {
                                      return IdPair{pair.a, pair.b} < wanted;
                                    });
-  return at != contacts.pairs.end() && at->a == a && at->b == b && at->manifold_count != 0;
+  const bool found = at != contacts.pairs.end() && at->a == ids.a && at->b == ids.b && at->manifold_count != 0;
+  return found ? &*at : nullptr;
+}
+
+/// How deep the two were in each other where the step began.
+template <class T, class Space>
+T depth_of(const ContactArrays<T, Space>& contacts, const ContactPair<T>& pair) {
+  T deepest(0);
+  for (const ContactManifold<T, Space>& m : contacts.manifolds_of(pair))
+    for (const SolverPoint<T, Space>& p : contacts.points_of(m)) deepest = greatest(deepest, -p.distance);
+  return deepest;
 }
 
 /// The first contact of a body in a step.
@@ -207,13 +223,15 @@ template <class T, class Space>
 T holding_time(const SimulationParts<T, Space>& parts, const Impact<T, Space>& impact,
                std::span<const typename Space::Velocity> mean, T dt) {
   const std::uint32_t a = impact.a.index, b = impact.b.index;
-  if (!met<T, Space>(parts.world.contacts(), a, b)) return impact.hit.t;
+  const ContactPair<T>* pair_met = met<T, Space>(parts.world.contacts(), a, b);
+  if (!pair_met) return impact.hit.t;
   const auto shapes = parts.world.bodies().shapes();
   const MovingPair<T, Space> pair{shapes[a], shapes[b], parts.found_at[a], parts.found_at[b], mean[a], mean[b]};
   const T most = unasked_motion<T> * least(parts.bodies[a].depth, parts.bodies[b].depth);
+  if (const std::optional<T> sunk = time_to_sink(pair, most, dt)) return greatest(impact.hit.t, *sunk);
+  const T left = greatest(most - depth_of<T, Space>(parts.world.contacts(), *pair_met), most * sunk_on<T>);
   const T way = dot(mean[a].linear - mean[b].linear, impact.hit.normal) * dt;
-  const std::optional<T> sunk = time_to_sink(pair, most, dt);
-  return greatest(impact.hit.t, sunk ? *sunk : way > most ? dt * (most / way) : dt);
+  return greatest(impact.hit.t, way > left ? dt * (left / way) : dt);
 }
 
 /// The velocities that take the bodies of a step from where it found them to where they are, which the world is given
@@ -290,24 +308,32 @@ void SimulationParts<T, Space>::hold_back(T dt) {
   const std::vector<typename Space::Velocity> mean = mean_velocities(*this, dt);
   auto [first, ends, pushed] = find_meetings<T, Space>(*this, fast, mean, dt);
   if (std::none_of(ends.begin(), ends.end(), [&](T end) { return end < dt; })) return;
-  // The way of a body that stays in touch, along the normal, with the material point that it met, which goes on.
-  const auto carried_by = [&, &ends = ends](const Meeting<T, Space>& meeting) {
+  // The way of a body that stays in touch with what it met, which goes on: along the normal with the material point that
+  // it met, and around with what nothing pushes, whose point may lead far from it in a step.
+  const auto carried_by = [&, &ends = ends](std::uint32_t i, const Meeting<T, Space>& meeting) {
     const std::uint32_t other = meeting.other;
-    const typename Space::Vec center = found_at[other].translation + mean[other].linear * meeting.time;
-    const typename Space::Vec speed = mean[other].linear + cross(mean[other].angular, meeting.point - center);
-    return meeting.normal * (dot(speed, meeting.normal) * greatest(T(0), ends[other] - meeting.time));
+    const typename Space::Velocity& motion = mean[other];
+    const T late = greatest(T(0), ends[other] - meeting.time);
+    const typename Space::Vec center = found_at[other].translation + motion.linear * meeting.time;
+    const bool around = !bodies[other].movable && !(motion.angular == typename Space::Turning{});
+    const typename Space::Vec speed =
+        around ? motion.linear : motion.linear + cross(motion.angular, meeting.point - center);
+    const typename Space::Vec along = meeting.normal * (dot(speed, meeting.normal) * late);
+    if (!around) return along;
+    const typename Space::Vec arm = pose_at(found_at[i], mean[i], ends[i]).translation - center;
+    return along + (rotate(pose_at(typename Space::Pose{}, motion, late).rotation, arm) - arm);
   };
   std::vector<typename Space::Vec> carried(bodies.size());
   for (std::uint32_t i = 0; i < bodies.size(); ++i)
-    if (ends[i] < dt && !bodies[first[i].other].movable) carried[i] = carried_by(first[i]);
+    if (ends[i] < dt && !bodies[first[i].other].movable) carried[i] = carried_by(i, first[i]);
   const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends, carried);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!(ends[i] < dt)) continue;
     ++last.stopped;
-    if (joined[i] == 0 && bodies[first[i].other].movable) carried[i] = carried_by(first[i]);
+    if (joined[i] == 0 && bodies[first[i].other].movable) carried[i] = carried_by(i, first[i]);
     typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
     at.translation += carried[i];
-    const bool touched = met<T, Space>(world.contacts(), std::min(i, first[i].other), std::max(i, first[i].other));
+    const bool touched = met<T, Space>(world.contacts(), i, first[i].other) != nullptr;
     set_back<T, Space>(*this, i, at, dt - ends[i], dt, {joined[i] != 0, pushed[i] != 0, touched, carried[i]});
   }
 }
