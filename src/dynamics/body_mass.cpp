@@ -73,8 +73,8 @@ void check_numbers(const Dynamics& dynamics) {
   check_positive(dynamics.density, "density");
   if (!std::isfinite(dynamics.density))
     validate::fail("density", "a finite number", static_cast<double>(dynamics.density));
-  if (!std::isfinite(dynamics.gravity_factor))
-    validate::fail("gravity_factor", "a finite number", static_cast<double>(dynamics.gravity_factor));
+  if (const char* expectation = validate::fault_of_coordinate(dynamics.gravity_factor))
+    validate::fail("gravity_factor", expectation, static_cast<double>(dynamics.gravity_factor));
   check_not_negative(dynamics.linear_damping, "linear_damping");
   check_not_negative(dynamics.angular_damping, "angular_damping");
 }

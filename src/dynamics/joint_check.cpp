@@ -28,20 +28,25 @@ namespace {
 
 template <class T>
 T positive(T value, const std::string& path) {
-  if (!(value >= T(0)) || !std::isfinite(value))
-    validate::fail(path, "a finite number >= 0", static_cast<double>(value));
+  if (const char* expectation = validate::fault_of_length(value))
+    validate::fail(path, expectation, static_cast<double>(value));
   return value;
 }
 
 template <class T>
 T finite(T value, const std::string& path) {
-  if (!std::isfinite(value)) validate::fail(path, "a finite number", static_cast<double>(value));
+  if (const char* expectation = validate::fault_of_coordinate(value))
+    validate::fail(path, expectation, static_cast<double>(value));
   return value;
 }
 
 template <class T>
 void check_limit(const JointLimit<T>& limit, const std::string& path) {
   if (count(limit.axes) == 0) throw InvalidValue(path + ".axes", "at least one axis", "none");
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  if (!(limit.min < infinity))
+    validate::fail(path + ".min", "a number or minus infinity", static_cast<double>(limit.min));
+  if (!(limit.max > -infinity)) validate::fail(path + ".max", "a number or infinity", static_cast<double>(limit.max));
   if (!(limit.min <= limit.max)) validate::fail(path + ".min", "at most max", static_cast<double>(limit.min));
   if (count(limit.axes) > 1 && limit.max < T(0))
     validate::fail(path + ".max", "at least 0 of a limit with several axes", static_cast<double>(limit.max));

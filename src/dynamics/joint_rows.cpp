@@ -6,6 +6,32 @@
 
 namespace graze {
 
+namespace {
+
+/// Whether the bounds of an angle leave it a whole turn.
+template <class T>
+bool turns_freely(const JointLimit<T>& limit) {
+  return limit.max - limit.min >= T(2) * std::numbers::pi_v<T>;
+}
+
+/// The middle of two bounds, or the one that there is.
+template <class T>
+T middle_of_bounds(T min, T max) {
+  return !std::isfinite(min) ? max : !std::isfinite(max) ? min : (min + max) / T(2);
+}
+
+/// The angle of a driven axis to which those that differ by whole turns are taken: the middle of the axis' own bounds, if
+/// there are two, or the drive would push against one of them, the shorter way to a target within.
+template <class T, class Space>
+T turn_of_drive(const Joint<T, Space>& joint, const JointDrive<T>& drive) {
+  for (const JointLimit<T>& l : joint.limits)
+    if (l.space == JointSpace::angular && l.axes[drive.axis] && count(l.axes) == 1 && !turns_freely(l))
+      return middle_of_bounds(l.min, l.max);
+  return drive.position_target;
+}
+
+}  // namespace
+
 template <class T, class Space>
 void JointRows<T, Space>::prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step) {
   joint_ = &joint;
@@ -18,7 +44,8 @@ void JointRows<T, Space>::prepare(JointInPlace<T, Space>& joint, const SubStep<T
     row.soft = true;
     row.angle = drive.space == JointSpace::angular;
     row.acceleration = drive.mode == DriveMode::acceleration;
-    row.target = row.about = drive.position_target;
+    row.target = drive.position_target;
+    row.about = turn_of_drive(joint.joint, drive);
     row.target_speed = drive.velocity_target;
     row.stiffness = drive.stiffness;
     row.damping = drive.damping;
@@ -78,8 +105,7 @@ void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row)
     rows_.back().target = rows_.back().about = limit.min;
     return;
   }
-  // A turn whose range is a whole one has no end.
-  if (row.what.measure == Measure::twist && limit.max - limit.min >= T(2) * std::numbers::pi_v<T>) return;
+  if (row.what.measure == Measure::twist && turns_freely(limit)) return;
   const Side sides[] = {Side::lower, Side::upper};
   const T bounds[] = {limit.min, limit.max};
   for (int i = 0; i < 2; ++i) {
@@ -87,7 +113,7 @@ void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row)
     rows_.push_back(row);
     rows_.back().side = sides[i];
     rows_.back().target = bounds[i];
-    rows_.back().about = std::isfinite(bounds[1 - i]) ? (bounds[0] + bounds[1]) / T(2) : bounds[i];
+    rows_.back().about = middle_of_bounds(limit.min, limit.max);
   }
 }
 

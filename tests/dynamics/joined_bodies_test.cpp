@@ -57,6 +57,27 @@ TEST(JoinedBodies, ABallJointSwings) { expect_to_swing(std::nullopt); }
 TEST(JoinedBodies, AHingeAboutXSwings) { expect_to_swing(0); }
 TEST(JoinedBodies, AHingeAboutZSwings) { expect_to_swing(2); }
 
+/// A drive goes to a target within the bounds of its axis the way that the bounds leave, though it be the longer one.
+TEST(JoinedBodies, ADriveStaysWithinTheBounds) {
+  Simulation<double> s(SimulationSettings<double>{});
+  Body<double> post{Sphere<double>(0.1), {}};
+  post.fixed = true;
+  post.filter = Filter{0, 0, 0};
+  const BodyId a = s.add(post);
+  Dynamics<double> light;
+  light.gravity_factor = 0;
+  Body<double> arm{Box<double>({1, 0.1, 0.1}), {{}, Quatd::from_axis_angle({1, 0, 0}, -3)}};
+  arm.filter = post.filter;
+  const BodyId b = s.add(arm, light);
+  Joint<double> hinge = hinge_joint<double>(a, {}, b, {});
+  hinge.limits.push_back({JointSpace::angular, {true, false, false}, -3.05, 3.05, {}, 0});
+  hinge.drives.push_back({JointSpace::angular, DriveMode::acceleration, 0, 3, 0, 20, 9});
+  s.add(hinge);
+  for (int i = 0; i < 600; ++i) s.step(1.0 / 60);
+  const Quatd at = s.poses()[b.index].rotation;
+  EXPECT_NEAR(2 * std::atan2(at.x, at.w), 3, 0.01);
+}
+
 /// Two thin links on a hinge that fold at `rate`, in free space or onto a floor: energy never grows. A joint that pushed
 /// by the inertia of the step's beginning, or along rows of frames that agree, took its own error for more.
 void expect_links_to_gain_nothing(double rate, bool falls) {

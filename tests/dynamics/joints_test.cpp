@@ -424,12 +424,21 @@ TEST(Joints, WhatIsNoneIsNamed) {
   EXPECT_EQ(refusal(with_limits({{}})), "joint.limits[0].axes: expected at least one axis, got none");
   EXPECT_EQ(refusal(with_limits({together, {JointSpace::linear, {true, false, false}, 2, 1, {}, 0}})),
             "joint.limits[1].min: expected at most max, got 2");
+  const auto bounded = [](double min, double max) {
+    return with_limits({{JointSpace::linear, {true, false, false}, min, max, {}, 0}});
+  };
+  EXPECT_EQ(refusal(bounded(infinity, infinity)), "joint.limits[0].min: expected a number or minus infinity, got inf");
+  EXPECT_EQ(refusal(bounded(-infinity, -infinity)), "joint.limits[0].max: expected a number or infinity, got -inf");
+  EXPECT_EQ(refusal(bounded(0, std::nan(""))), "joint.limits[0].max: expected a number or infinity, got nan");
+  EXPECT_EQ(refusal(bounded(-infinity, infinity)), "taken");
   EXPECT_EQ(refusal(with_limits({{JointSpace::linear, {true, false, false}, 0, 0, -1.0, 0}})),
             "joint.limits[0].stiffness: expected a finite number >= 0, got -1");
   EXPECT_EQ(refusal(with_limits({}, {{JointSpace::linear, DriveMode::force, 3}})),
             "joint.drives[0].axis: expected 0, 1 or 2, got 3");
   EXPECT_EQ(refusal(with_limits({}, {{JointSpace::linear, DriveMode::force, 0, infinity}})),
             "joint.drives[0].position_target: expected a finite number, got inf");
+  EXPECT_EQ(refusal(with_limits({}, {{JointSpace::linear, DriveMode::force, 0, 0, 0, 0, 1e200}})),
+            "joint.drives[0].damping: expected a magnitude of at most 1e48, got 1e+200");
 }
 
 }  // namespace
