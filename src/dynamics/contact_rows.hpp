@@ -20,6 +20,7 @@ struct Touching {
   ContactMaterial<S> material{};
   typename Space::Vec belt{};  ///< velocity of B's surface over A's while both bodies rest, in world space
   S size{};                    ///< the smaller of the two bodies
+  typename Space::Vec rolled_a{}, rolled_b{};  ///< of arms, to the middle of the step
 };
 
 /// A point of contact as it was found.
@@ -131,8 +132,8 @@ void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const FoundPoint<S, Space> p = points[i];
     Row r;
-    r.arm_a = p.position - a.first_center;
-    r.arm_b = p.position - b.first_center;
+    r.arm_a = p.position - a.first_center + touching.rolled_a;
+    r.arm_b = p.position - b.first_center + touching.rolled_b;
     const Turning turn_a = cross(r.arm_a, normal), turn_b = cross(r.arm_b, normal);
     r.spin_a = a.mass.inertia * turn_a;
     r.spin_b = b.mass.inertia * turn_b;

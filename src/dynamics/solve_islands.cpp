@@ -1,6 +1,7 @@
 // The islands of a step, found and solved.
 #include <algorithm>
 
+#include "dynamics/rolling_arm.hpp"
 #include "dynamics/simulation_parts.hpp"
 
 namespace graze {
@@ -72,6 +73,17 @@ IslandBody<T, Space> SimulationParts<T, Space>::island_body(std::uint32_t index)
   return b;
 }
 
+/// The way by which the arm of a body's point of contact changes in a time, as it rolls.
+template <class T, class Space>
+auto SimulationParts<T, Space>::rolled_by(std::uint32_t index, const typename Space::Vec& outward,
+                                          const typename Space::Vec& point, T time) const -> typename Space::Vec {
+  const SimulatedBody<T, Space>& body = bodies[index];
+  if (!body.movable) return {};
+  return rate_of_arm(world.bodies().shapes()[index], found_at[index].rotation, angular_velocity(body.free), outward,
+                     point - body.free.center) *
+         time;
+}
+
 template <class T, class Space>
 void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, const Islands::Range& island, T dt,
                                              Executor* threads) {
@@ -95,11 +107,17 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
     const auto belt_of = [&](const SimulatedBody<T, Space>& body, std::uint32_t index) {
       return rotate(found_at[index].rotation, body.material.surface_velocity);
     };
-    const TouchingBodies<T, Space> touching{
+    TouchingBodies<T, Space> touching{
         a,
         b,
         {material_of(*pair), belt_of(body_b, pair->b) - belt_of(body_a, pair->a), least(body_a.size, body_b.size)}};
-    solver.add(touching, contacts.manifolds_of(*pair));
+    const auto manifolds = contacts.manifolds_of(*pair);
+    if (manifolds.size() == 1 && manifolds[0].point_count == 1) {
+      const auto& point = contacts.points_of(manifolds[0])[0];
+      touching.between.rolled_a = rolled_by(pair->a, manifolds[0].normal, point.a, dt / T(2));
+      touching.between.rolled_b = rolled_by(pair->b, -manifolds[0].normal, point.b, dt / T(2));
+    }
+    solver.add(touching, manifolds);
   }
   const StepTime<T> time{dt, usual_step, share};
   solver.choose_sub_steps(contacts.points, time, gravity, settings.sub_steps, settings.most_sub_steps);

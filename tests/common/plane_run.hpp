@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 5307516099990802860u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 11238113980194443185u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 15277638969938483625u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 4317378670561159867u;
 
 }  // namespace graze::testing
 
