@@ -1,7 +1,9 @@
 // graze capture: a scene played, and every call of its simulation recorded.
 #include <fmt/format.h>
 
+#include <fstream>
 #include <memory>
+#include <sstream>
 
 #include "checked.hpp"
 #include "commands.hpp"
@@ -24,26 +26,58 @@ struct CaptureArguments {
   std::string precision = "double", out;
 };
 
+/// The file of a capture. What comes before the first frame is held back, so that a scene that cannot be played leaves
+/// the file as it was.
+class CaptureFile {
+ public:
+  /// Throws `InvalidValue` for a file that cannot be written.
+  explicit CaptureFile(const std::string& name) : name_(name) { io::check_writable(name); }
+
+  std::ostream& stream() { return stream_; }
+  /// Opens the file, once, with what was held back.
+  void open() {
+    if (file_.is_open()) return;
+    file_.open(name_, std::ios::binary);
+    file_ << held_.str();
+    stream_.rdbuf(file_.rdbuf());
+    check();
+  }
+  void close() {
+    file_.close();
+    check();
+  }
+  void check() const {
+    if (!file_ || !stream_) throw InvalidValue(name_, "", "cannot be written to its end");
+  }
+
+ private:
+  std::string name_;
+  std::ofstream file_;
+  std::stringbuf held_;
+  std::ostream stream_{&held_};
+};
+
 /// Plays a scene, of space or of the plane, into the file.
 template <class Frame, class AnyScene>
 void capture(const AnyScene& scene, const CaptureArguments& options, io::SimulateOptions& how) {
   const std::size_t frames = io::frame_count(how);
-  io::check_writable(options.out);
-  std::ofstream file(options.out, std::ios::binary);
-  how.capture = &file;
+  CaptureFile file(options.out);
+  how.capture = &file.stream();
   Progress progress("capturing");
   std::size_t done = 0;
   const auto play = [&] {
     try {
-      return io::simulate(scene, how, [&](const Frame&) { progress(++done, frames); });
+      return io::simulate(scene, how, [&](const Frame&) {
+        file.open();
+        progress(++done, frames);
+      });
     } catch (const InvalidValue&) {
-      if (!file) throw InvalidValue(options.out, "", "cannot be written to its end");
+      file.check();
       throw;
     }
   };
   const io::SimulateSummary summary = play();
   file.close();
-  if (!file) throw InvalidValue(options.out, "", "cannot be written to its end");
   print_notes(scene.notices);
   print_notes(summary.notices);
   fmt::print("{}: {} of {} and {}, {} bytes\n", options.out, counted(summary.steps, "frame"),

@@ -30,6 +30,18 @@ std::string names_of_commands(CLI::App& app) {
   return names;
 }
 
+/// Refuses an empty text for any option of a command that is a number or numbers. The parser would take it for zero,
+/// and it is what a variable of the shell has that was never set.
+void refuse_empty_numbers(CLI::App& command) {
+  static const CLI::Validator given(
+      [](const std::string& text) { return text.empty() ? std::string("expected a number, got nothing") : ""; }, "");
+  const auto is_number = [](const CLI::Option* option) {
+    const std::string type = option->get_type_name();
+    return type == "FLOAT" || type == "INT" || type == "UINT";
+  };
+  for (CLI::Option* option : command.get_options(is_number)) option->check(given);
+}
+
 /// Parses the command line and runs its command; returns the exit code.
 int run(int argc, char** argv) {
   CLI::App app{"Graze: do these things touch, where, how deep, how far apart"};
@@ -43,8 +55,10 @@ int run(int argc, char** argv) {
       {"explain", add_explain(app)}, {"info", add_info(app)},         {"query", add_query(app)},
       {"replay", add_replay(app)},   {"simulate", add_simulate(app)}, {"view", add_view(app)},
   };
-  for (CLI::App* command : app.get_subcommands({}))
+  for (CLI::App* command : app.get_subcommands({})) {
     command->add_flag("-q,--quiet", quiet(), "Neither notes nor progress, only the answer and errors");
+    refuse_empty_numbers(*command);
+  }
   if (argc < 2) {
     fmt::print("{}", app.help());
     return 0;

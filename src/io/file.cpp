@@ -112,7 +112,10 @@ void WholeFileWriter::close() {
 void check_writable(const std::filesystem::path& file) {
   const std::filesystem::path target = link_target(file);
   std::error_code failed;
-  const bool there = std::filesystem::exists(target, failed);
+  const std::filesystem::file_status status = std::filesystem::status(target, failed);
+  // To open a pipe waits for its reader, and to close it again tells the reader that all is over.
+  if (std::filesystem::is_fifo(status)) return;
+  const bool there = std::filesystem::exists(status);
   const std::filesystem::path partial = partial_of(target), tried = there || partial.empty() ? target : partial;
   errno = 0;
   if (!std::ofstream(tried, std::ios::binary | std::ios::app)) cannot_write(file, errno);

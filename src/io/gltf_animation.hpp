@@ -48,6 +48,7 @@ struct NodeTree {
   std::vector<TreeNode> nodes;            ///< by their indices in the file
   std::vector<std::size_t> order;         ///< of those in the scene, parents first
   std::vector<RestCollider> colliders{};  ///< in the order of the scene's
+  std::vector<std::size_t> bodies{};      ///< the nodes of the scene's bodies, in their order
 };
 
 struct AnimationTracks {

@@ -61,6 +61,7 @@ class SceneReader {
       notice(std::to_string(skipped_primitives_) + " primitives of points or lines are skipped");
     if (options_.animations) {
       tree_.source = scene_.source;
+      for (const Body& body : scene_.bodies) tree_.bodies.push_back(static_cast<std::size_t>(body.node));
       auto tree = std::make_shared<const NodeTree>(std::move(tree_));
       scene_.animations = read_animations(document_, std::move(tree), scene_.notices);
     }

@@ -9,6 +9,7 @@
 #include "graze/io/plane_simulate.hpp"
 #include "io/drawing.hpp"
 #include "io/frame_lines.hpp"
+#include "io/late_file.hpp"
 #include "io/plane_shapes.hpp"
 
 namespace graze::io {
@@ -32,7 +33,7 @@ class PlaneLines final : public PlaneRecording {
   void close() override { out_.close(); }
 
  private:
-  FileWriter out_;
+  LateFile out_;
   const PlaneScene& scene_;
   std::vector<std::uint32_t> moving_;
   Precision precision_;

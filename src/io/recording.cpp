@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "graze/error.hpp"
-#include "graze/io/file.hpp"
 #include "io/animated_scene.hpp"
 #include "io/frame_lines.hpp"
 #include "io/gltf_drawing.hpp"
+#include "io/late_file.hpp"
 
 namespace graze::io {
 
@@ -26,7 +26,7 @@ class LineRecording final : public Recording {
   void close() override { out_.close(); }
 
  private:
-  FileWriter out_;
+  LateFile out_;
   const Scene& scene_;
   std::vector<std::uint32_t> moving_;
   Precision precision_;

@@ -90,6 +90,7 @@ void append(Scene& scene, Scene other) {
   const auto first_collider = static_cast<std::uint32_t>(scene.colliders.size());
   for (Animation& animation : other.animations) {
     animation.first_collider += first_collider;
+    animation.first_body += first_body;
     scene.animations.push_back(std::move(animation));
   }
   for (Body& body : other.bodies) scene.bodies.push_back(std::move(body));

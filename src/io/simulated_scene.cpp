@@ -99,19 +99,19 @@ SimulatedScene<T>::SimulatedScene(const Scene& scene, const SimulateOptions& opt
   for (const Joint& joint : scene.joints) add_joint(joint);
 }
 
-/// Finds bodies that an animation moves: through the body's own node, or that of a fixed body
-/// through any node above it.
+/// Finds bodies that an animation moves: through the body's own node, or that of a fixed body through any node above
+/// it.
 template <class T>
 void SimulatedScene<T>::find_animated() {
   if (scene_.animations.empty()) return;
   const Animation& animation = scene_.animations.front();
   motion_ = std::make_unique<ColliderMotion>(scene_, animation);
-  for (const MovedCollider& m : motion_->colliders()) {
-    const std::uint32_t b = scene_.colliders[m.index].body;
-    const auto& channels = animation.tracks->channels;
+  const auto& channels = animation.tracks->channels;
+  for (const MovedBody& moved : motion_->bodies()) {
+    const Body& body = scene_.bodies[moved.index];
     const bool own = std::any_of(channels.begin(), channels.end(),
-                                 [&](const Channel& c) { return static_cast<int>(c.node) == scene_.bodies[b].node; });
-    if (!scene_.bodies[b].motion || own) animated_[b] = 1;
+                                 [&](const Channel& c) { return static_cast<int>(c.node) == body.node; });
+    if (!body.motion || own) animated_[moved.index] = 1;
   }
   if (scene_.animations.size() > 1)
     notices_.push_back("of " + std::to_string(scene_.animations.size()) + " animations the first is followed");
@@ -157,7 +157,7 @@ void SimulatedScene<T>::add_part(std::uint32_t body, const std::vector<std::uint
   part.angular = converted<T>(motion.angular_velocity);
   const Posed to_body = relative(pose, of.pose);
   const BodyId id = simulation_.add(std::move(part), share_of<T>(whole, to_body, parts), material);
-  known_as(body, {id, to_body});
+  known_as(body, {id, to_body, {}});
 }
 
 template <class T>
@@ -198,22 +198,48 @@ void SimulatedScene<T>::add_fixed(std::uint32_t body) {
     if (c.body != body || c.trigger) continue;
     const auto material = c.material ? in_precision<T>(*c.material) : graze::Material<T>{};
     const BodyId id = simulation_.add(in_world<T>(scene_, c, true), {}, material);
-    known_as(body, {id, relative(c.pose, scene_.bodies[body].pose)});
+    known_as(body, {id, relative(c.pose, scene_.bodies[body].pose), {}});
   }
 }
 
-/// Adds each collider as a body of its own, as channels may move them against each other.
+/// Adds each collider as a body of its own, as channels may move them against each other. They begin where the
+/// animation has them at time 0, which need not be where the file has them at rest.
 template <class T>
 void SimulatedScene<T>::add_animated(std::uint32_t body) {
+  const Posed of = animated_pose(body, {});
   for (const MovedCollider& m : motion_->colliders()) {
-    const Collider& c = scene_.colliders[m.index];
-    if (c.body != body || c.trigger) continue;
+    if (scene_.colliders[m.index].body != body || scene_.colliders[m.index].trigger) continue;
+    Collider c = scene_.colliders[m.index];
+    c.shape = m.shape;
+    c.pose = m.pose;
     Dynamics<T> dynamics;
     dynamics.kinematic = true;
     const auto material = c.material ? in_precision<T>(*c.material) : graze::Material<T>{};
     const BodyId id = simulation_.add(in_world<T>(scene_, c, false), dynamics, material);
-    known_as(body, {id, relative(c.pose, scene_.bodies[body].pose), m.index});
+    known_as(body, {id, relative(c.pose, of), m.index});
   }
+  if (parts_[body].empty() && scene_.bodies[body].motion) add_animated_anchor(body);
+}
+
+/// Adds a body that nothing collides with, for one without colliders: joints may hold on to it.
+template <class T>
+void SimulatedScene<T>::add_animated_anchor(std::uint32_t body) {
+  graze::Body<T> anchor{Shape<T>(Sphere<T>(T(0))), converted<T>(animated_pose(body, {}))};
+  anchor.filter = nobody;
+  Dynamics<T> dynamics;
+  dynamics.kinematic = true;
+  known_as(body, {simulation_.add(std::move(anchor), dynamics), {}, {}});
+}
+
+/// The pose that the animation has for a part at the time it was moved to; of a part without a collider, the body's.
+template <class T>
+Posed SimulatedScene<T>::animated_pose(std::uint32_t body, const Part& part) const {
+  const auto find = [](const auto& list, std::uint32_t index) {
+    return std::lower_bound(list.begin(), list.end(), index,
+                            [](const auto& moved, std::uint32_t i) { return moved.index < i; })
+        ->pose;
+  };
+  return part.collider ? find(motion_->colliders(), *part.collider) : find(motion_->bodies(), body);
 }
 
 template <class T>
@@ -223,7 +249,7 @@ auto SimulatedScene<T>::part_of(const std::optional<std::uint32_t>& body) -> Par
     graze::Body<T> anchor{Shape<T>(Sphere<T>(T(0)))};
     anchor.fixed = true;
     anchor.filter = nobody;
-    world_ = Part{simulation_.add(std::move(anchor)), {}};
+    world_ = Part{simulation_.add(std::move(anchor)), {}, {}};
     simulation_.set_name(world_->id, "world");
     body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), world_->id.index + 1));
   }
@@ -259,14 +285,10 @@ void SimulatedScene<T>::add_joint(const Joint& joint) {
 
 template <class T>
 void SimulatedScene<T>::follow(double dt) {
-  for (const auto& parts : parts_)
-    for (const Part& part : parts) {
-      if (part.collider < 0) continue;
-      const auto index = static_cast<std::uint32_t>(part.collider);
-      const auto moved = std::lower_bound(motion_->colliders().begin(), motion_->colliders().end(), index,
-                                          [](const MovedCollider& m, std::uint32_t i) { return m.index < i; });
-      simulation_.move_to(part.id, converted<T>(moved->pose), static_cast<T>(dt));
-    }
+  for (std::uint32_t b = 0; b < parts_.size(); ++b)
+    if (animated_[b])
+      for (const Part& part : parts_[b])
+        simulation_.move_to(part.id, converted<T>(animated_pose(b, part)), static_cast<T>(dt));
 }
 
 template <class T>

@@ -27,13 +27,14 @@ class SimulatedScene {
   /// A body of the simulation that is all or some of a scene's body.
   struct Part {
     BodyId id;
-    Posed to_body;               ///< the pose of the scene's body seen from this one
-    std::int64_t collider = -1;  ///< of a part that an animation moves
+    Posed to_body;                            ///< the pose of the scene's body seen from this one
+    std::optional<std::uint32_t> collider{};  ///< that an animation moves, and the part with it
   };
 
   void add_fixed(std::uint32_t body);
   void add_moving(std::uint32_t body);
   void add_animated(std::uint32_t body);
+  void add_animated_anchor(std::uint32_t body);
   void add_part(std::uint32_t body, const std::vector<std::uint32_t>& colliders, const Dynamics<double>& whole,
                 std::size_t parts);
   void hold_together(std::uint32_t body);
@@ -42,6 +43,7 @@ class SimulatedScene {
   void known_as(std::uint32_t body, const Part& part);
   void find_animated();
   Posed pose_of(const Part& part) const;
+  Posed animated_pose(std::uint32_t body, const Part& part) const;
   void follow(double dt);
 
   const Scene& scene_;

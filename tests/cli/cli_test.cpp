@@ -112,6 +112,30 @@ TEST(Cli, OptionsThatAreNoNumbersAreRefused) {
 }
 
 // The colliders that a file has stay, and it is said that none are made of its meshes.
+// What a variable of the shell has that was never set is no zero.
+TEST(Cli, NumbersThatAreEmptyAreRefused) {
+  const std::string moving = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/moving.gltf";
+  const std::string cast = "cast " + demo + " --from 'crate 1' ", simulate = "simulate " + demo + " ";
+  const std::pair<std::string, std::string> numbers[] = {{simulate, "--seconds"},
+                                                         {simulate, "--rate"},
+                                                         {simulate, "--threads"},
+                                                         {simulate, "--substeps"},
+                                                         {simulate + "--seconds 0.1 ", "--gravity"},
+                                                         {"capture " + demo + " --out none.capture ", "--seconds"},
+                                                         {"collide " + demo + " ", "--margin"},
+                                                         {"collide " + moving + " --frames ", "--fps"},
+                                                         {cast + "--motion 8,0,0 ", "--duration"},
+                                                         {cast, "--motion"}};
+  for (const auto& [command, option] : numbers) {
+    for (const char* empty : {" ''", "="}) {
+      const Result r = run(command + option + empty);
+      EXPECT_EQ(r.code, 2) << command << option << empty;
+      EXPECT_NE(r.output.find(option), std::string::npos) << r.output;
+    }
+  }
+  EXPECT_EQ(run(cast + "--motion 8,,0").code, 2);
+}
+
 TEST(Cli, CollidersOfMeshesLeaveThoseOfTheFileAlone) {
   const Result own = run("info " + demo), asked = run("info " + demo + " --colliders hull");
   EXPECT_EQ(asked.code, 0);

@@ -125,5 +125,40 @@ TEST_F(Simulate, SaysWhatIsWrong) {
             "graze: " + file("none/a.glb") + ": cannot be written: no such folder\n");
 }
 
+/// A run that is refused leaves the file of an earlier one as it was, and makes none.
+TEST_F(Simulate, ARefusedRunLeavesItsFiles) {
+  const std::string plane = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg";
+  const std::string leaf = file("leaf.gltf"), line = file("line.svg");
+  std::ofstream(leaf) << R"({"asset": {"version": "2.0"}, "extensions": {"KHR_implicit_shapes": {"shapes": [
+    {"type": "plane", "plane": {"sizeX": 1, "sizeZ": 1}}]}}, "nodes": [{"extensions": {"KHR_physics_rigid_bodies": {
+    "motion": {}, "collider": {"geometry": {"shape": 0}}}}}]})";
+  std::ofstream(line) << R"(<svg><line x2="1" class="dynamic"/></svg>)";
+  for (const std::string& arguments :
+       {"simulate " + demo + " --substeps 3", "simulate " + plane + " --substeps 3", "simulate " + leaf,
+        "simulate " + line, "capture " + demo + " --substeps 3", "capture " + leaf, "capture " + line}) {
+    const std::string kept = file("kept.jsonl"), none = file("none.jsonl");
+    std::ofstream(kept) << "old";
+    EXPECT_EQ(run(arguments + " --out " + kept).code, 2) << arguments;
+    EXPECT_EQ(text_of(kept), "old") << arguments;
+    EXPECT_EQ(run(arguments + " --out " + none).code, 2) << arguments;
+    EXPECT_FALSE(std::filesystem::exists(none)) << arguments;
+  }
+  for (const char* command : {"simulate ", "capture "}) {
+    const Result r = run(command + demo + " --out " + file("none/a.jsonl"));
+    EXPECT_NE(r.output.find("cannot be written: no such folder"), std::string::npos) << r.output;
+  }
+}
+
+/// Lines go into a pipe that another program reads, which has all of them until it ends.
+TEST_F(Simulate, WritesIntoAPipe) {
+  const std::string pipe = file("pipe"), out = file("a.jsonl");
+  const std::string command = "simulate " + demo + " --seconds 0.5 --out ";
+  EXPECT_EQ(run(command + out).code, 0);
+  const Result r = run(command + pipe + " -q; wait", "mkfifo " + pipe + "; cat " + pipe + " > " + file("read") + " & ");
+  EXPECT_EQ(r.code, 0) << r.output;
+  EXPECT_EQ(text_of(file("read")), text_of(out));
+  EXPECT_FALSE(text_of(out).empty());
+}
+
 }  // namespace
 }  // namespace graze::cli::simulate_test

@@ -218,6 +218,76 @@ TEST(JointScenes, AnimatedNodesLead) {
   EXPECT_NEAR(played.end("crate").pose.translation.y, 2.5, 0.01);
 }
 
+/// A collider begins where its animation has it at time 0, not at rest, and so sweeps through nothing on its way there.
+TEST(JointScenes, AnimationsBeginAtTheirFirstKey) {
+  for (const bool kinematic : {false, true}) {
+    PhysicsScene scene;
+    const auto cube = scene.box(1, 1, 1), ball = scene.ball(0.5);
+    Json physics{{"collider", {{"geometry", {{"shape", cube}}}}}};
+    if (kinematic) physics["motion"] = {{"isKinematic", true}};
+    const auto pusher = scene.node("pusher", physics);
+    scene.node("ball", {{"collider", {{"geometry", {{"shape", ball}}}}}, {"motion", {{"gravityFactor", 0}}}},
+               {0, 5, 0});
+    scene.animate(pusher, {0, 1}, {0, 10, 0, 0, 10, 0});
+    const Played played(scene, 0.1);
+    for (const double time : {0.0, 0.1}) {
+      EXPECT_EQ(played.place("ball", time), (Vec3d{0, 5, 0})) << kinematic;
+      if (!kinematic) continue;  // the pusher is no moving body then
+      EXPECT_EQ(played.place("pusher", time), (Vec3d{0, 10, 0}));
+    }
+  }
+}
+
+/// A collider whose animation scales it at time 0 begins with that size, too: the crate stands on a plate of 2 x 2 x 2.
+TEST(JointScenes, AnimationsBeginWithTheirFirstScale) {
+  PhysicsScene scene;
+  const auto cube = scene.box(1, 1, 1);
+  const auto plate = scene.node("plate", {{"collider", {{"geometry", {{"shape", cube}}}}}});
+  scene.node("crate", {{"collider", {{"geometry", {{"shape", cube}}}}}, {"motion", {{"mass", 1}}}}, {0, 1.5, 0});
+  scene.animate(plate, {0, 1}, {2, 2, 2, 2, 2, 2}, "scale");
+  EXPECT_NEAR(Played(scene, 1).end("crate").pose.translation.y, 1.5, 0.005);
+}
+
+/// A body without a collider follows its animation, and what hangs on it by a joint goes along.
+TEST(JointScenes, AnimatedNodesWithoutCollidersLead) {
+  for (const bool trigger : {false, true}) {
+    PhysicsScene scene;
+    const auto pole = scene.box(0.2, 1, 0.2);
+    const auto held = scene.joint({{"limits", {together}}});
+    Json physics{{"motion", {{"isKinematic", true}}}};
+    if (trigger) physics["trigger"] = {{"geometry", {{"shape", pole}}}};
+    const auto anchor = scene.node("anchor", physics);
+    const auto rod =
+        scene.node("rod", {{"collider", {{"geometry", {{"shape", pole}}}}}, {"motion", {{"mass", 2}}}}, {0, -0.5, 0});
+    const auto end = scene.node("end", nullptr, {0, 0.5, 0});
+    scene.put_below(rod, end);
+    scene.at(anchor)["extensions"]["KHR_physics_rigid_bodies"]["joint"] = {{"connectedNode", end}, {"joint", held}};
+    scene.animate(anchor, {0, 1}, {1, 0, 0, 6, 0, 0});
+    scene.at(rod)["translation"] = {1, -0.5, 0};
+    const Played played(scene, 1);
+    EXPECT_EQ(played.place("anchor", 0), (Vec3d{1, 0, 0}));
+    EXPECT_LE(length(played.place("anchor", 0.5) - Vec3d{3.5, 0, 0}), 1e-9);
+    EXPECT_LE(length(played.end("anchor").pose.translation - Vec3d{6, 0, 0}), 1e-9);
+    EXPECT_LE(length(transform(played.end("rod").pose, Vec3d{0, 0.5, 0}) - Vec3d{6, 0, 0}), 0.01);
+  }
+}
+
+/// Files that are put together keep which bodies their animations move.
+TEST(JointScenes, AnimatedBodiesOfASecondFileFollow) {
+  PhysicsScene still, moved;
+  still.node("still", {{"motion", {{"isKinematic", true}}}}, {0, 1, 0});
+  const auto anchor = moved.node("anchor", {{"motion", {{"isKinematic", true}}}});
+  moved.animate(anchor, {0, 1}, {1, 0, 0, 6, 0, 0});
+  Scene scene = still.load();
+  append(scene, moved.load());
+  SimulateOptions options;
+  options.seconds = 1;
+  SimulationFrame last;
+  simulate(scene, options, [&](const SimulationFrame& frame) { last = frame; });
+  EXPECT_EQ(last.bodies.at(0).pose.translation, (Vec3d{0, 1, 0}));
+  EXPECT_LE(length(last.bodies.at(1).pose.translation - Vec3d{6, 0, 0}), 1e-9);
+}
+
 TEST(JointScenes, WhatCannotBePlayedIsNamed) {
   const auto refusal = [](const PhysicsScene& scene, const SimulateOptions& options = {}) -> std::string {
     try {

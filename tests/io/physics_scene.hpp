@@ -51,13 +51,14 @@ class PhysicsScene {
   void put_below(std::size_t parent, std::size_t child) { json_["nodes"][parent]["children"].push_back(child); }
   Json& at(std::size_t node) { return json_["nodes"][node]; }
 
-  /// A translation, by linear interpolation, of a node.
-  void animate(std::size_t node, const std::vector<float>& times, const std::vector<float>& places) {
+  /// A translation, or a scale, by linear interpolation, of a node.
+  void animate(std::size_t node, const std::vector<float>& times, const std::vector<float>& places,
+               const char* path = "translation") {
     Json& animation = json_["animations"][0];
     const std::size_t input = accessor("SCALAR", 5126, times.size(), times.data(), times.size() * 4);
     const std::size_t output = accessor("VEC3", 5126, places.size() / 3, places.data(), places.size() * 4);
     animation["channels"].push_back({{"sampler", animation.contains("samplers") ? animation["samplers"].size() : 0},
-                                     {"target", {{"node", node}, {"path", "translation"}}}});
+                                     {"target", {{"node", node}, {"path", path}}}});
     animation["samplers"].push_back({{"input", input}, {"output", output}});
   }
 

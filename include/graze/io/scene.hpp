@@ -100,6 +100,7 @@ struct Animation {
   std::string name;                               ///< its name in the file; may be empty
   double duration = 0;                            ///< seconds, from 0 to the last keyframe
   std::uint32_t first_collider = 0;               ///< index in the scene of the first collider of its file
+  std::uint32_t first_body = 0;                   ///< index in the scene of the first body of its file
   std::shared_ptr<const AnimationTracks> tracks;  ///< the loader's data for `collide_frames`
 };
 
