@@ -11,9 +11,14 @@ namespace graze::io {
 struct Affine {
   Mat3d linear = Mat3d::identity();
   Vec3d translation{};
+  /// The signs of the scales that the map was made of, 1 or -1 an axis. A matrix alone cannot tell two negative scales
+  /// from half a turn. A turn R behind the signs D is a turn before them, D R = (D R D) D, so that signs multiply.
+  Vec3d signs{1, 1, 1};
 
   Vec3d operator()(const Vec3d& p) const { return linear * p + translation; }
-  friend Affine operator*(const Affine& a, const Affine& b) { return {a.linear * b.linear, a(b.translation)}; }
+  friend Affine operator*(const Affine& a, const Affine& b) {
+    return {a.linear * b.linear, a(b.translation), scaled(a.signs, b.signs)};
+  }
 };
 
 /// A map without shear: scale along its own axes, then a rigid motion. A mirror is taken out of the X axis.
@@ -29,8 +34,15 @@ inline Mat3d turned_axes(const Mat3d& linear) {
   return Mat3d::from_columns(x, cross(z, x), z);
 }
 
-/// The pose of a regular map: where it takes the origin, and how its axes are turned.
+/// The pose of a regular map: where it takes the origin, and how its axes are turned. A mirror is taken out of the Z
+/// axis.
 inline Posed rigid_part(const Affine& map) { return {map.translation, rotation_quaternion(turned_axes(map.linear))}; }
+
+/// The pose of a body at a node with a regular map: turned as the node and those above it are, whatever the signs of
+/// their scales.
+inline Posed body_pose(const Affine& map) {
+  return {map.translation, rotation_quaternion(turned_axes(map.linear * Mat3d::diagonal(map.signs)))};
+}
 
 /// The precision of right angles in files, which hold numbers in single precision.
 inline constexpr double file_precision = 1e-5;

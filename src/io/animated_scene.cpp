@@ -19,7 +19,7 @@ Affine inverse(const Affine& map) {
   const Vec3d x = map.linear.column(0), y = map.linear.column(1), z = map.linear.column(2);
   const double volume = determinant(map.linear);
   const Mat3d rows{{cross(y, z) / volume, cross(z, x) / volume, cross(x, y) / volume}};
-  return {rows, -(rows * map.translation)};
+  return {rows, -(rows * map.translation), map.signs};
 }
 
 /// The scale of a map that turns and scales evenly, or nothing.

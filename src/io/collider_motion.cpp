@@ -130,7 +130,7 @@ void ColliderMotion::check_in_range(std::size_t step, double t) const {
 void ColliderMotion::place_body(std::size_t i, double t) {
   const std::size_t step = steps_of_bodies_[i];
   check_in_range(step, t);
-  if (is_regular(steps_[step].world)) bodies_[i].pose = rigid_part(steps_[step].world);
+  if (is_regular(steps_[step].world)) bodies_[i].pose = body_pose(steps_[step].world);
 }
 
 void ColliderMotion::place(std::size_t i, double t) {

@@ -33,6 +33,10 @@ Strided located(const tinygltf::Model& model, std::size_t view_index, const Rang
   if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
     throw InvalidValue(view_path, "a range within the " + std::to_string(data.size()) + " bytes of its buffer",
                        std::to_string(view.byteOffset) + " + " + std::to_string(view.byteLength));
+  if (view.byteStride != 0 && view.byteStride < range.size)
+    throw InvalidValue("bufferViews[" + std::to_string(view_index) + "].byteStride",
+                       "at least the " + std::to_string(range.size) + " bytes of an element",
+                       std::to_string(view.byteStride));
   const std::size_t stride = view.byteStride != 0 ? view.byteStride : range.size;
   // `count` elements end at offset + (count - 1) stride + size; by division, since the product may overflow.
   const std::size_t room = view.byteLength;

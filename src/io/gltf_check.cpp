@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "io/gltf_extensions.hpp"
+#include "io/parsed_number.hpp"
+
 namespace graze::io {
 
 namespace {
@@ -19,6 +22,17 @@ std::vector<JsonValue> objects(const JsonValue& root, const char* key) {
 
 void whole_if_there(const JsonValue& object, const char* key) {
   if (const auto value = object.find(key)) value->whole_number();
+}
+
+/// Checks that the file may be read as glTF 2.0, which a later version may forbid by its `minVersion`.
+void check_version(const JsonValue& asset) {
+  const JsonValue version = asset.at("version");
+  if (!version.string().starts_with("2.")) version.fail("a version 2.x of glTF");
+  const auto least = asset.find("minVersion");
+  if (!least) return;
+  const std::string text = least->string();
+  const auto [value, length, error] = parse_number(text);
+  if (error != std::errc() || length != text.size() || !(value <= 2)) least->fail("a version of at most 2.0");
 }
 
 void check_accessor(const JsonValue& accessor, std::size_t views) {
@@ -64,8 +78,8 @@ bool is_text(const JsonValue& buffer) { return buffer.has("uri") && buffer.at("u
 
 void check_gltf(const Json& json, bool chunk) {
   const JsonValue root(json, "");
-  const JsonValue version = root.at("asset").at("version");
-  if (!version.string().starts_with("2.")) version.fail("a version 2.x of glTF");
+  check_version(root.at("asset"));
+  check_required_extensions(root);
   for (const char* key : {"cameras", "images", "materials", "nodes", "samplers", "scenes", "skins", "textures"})
     objects(root, key);
 

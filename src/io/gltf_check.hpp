@@ -1,8 +1,8 @@
 // The parts of a glTF file that tinygltf reads, checked before it does.
 //
-// Guarantee: lists are lists of objects, and buffers, views, accessors and primitives have the keys that they need, of
-// the right kind and in range. tinygltf refuses some faults without naming the place, and takes other values for
-// absent.
+// Guarantee: the file requires no version and no extension that is not read; lists are lists of objects, and buffers,
+// views, accessors and primitives have the keys that they need, of the right kind and in range. tinygltf refuses some
+// faults without naming the place, and takes other values for absent.
 #pragma once
 
 #include "io/json_value.hpp"

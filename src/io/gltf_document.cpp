@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "io/gltf_check.hpp"
+#include "io/gltf_extensions.hpp"
 
 namespace graze::io {
 
@@ -170,6 +171,12 @@ std::vector<Mesh<double>::Index> corners_of(int mode, const std::vector<std::uin
   return triangles;
 }
 
+/// Checks that triangles have three corners each; `path`: where these are.
+void check_corners(int mode, std::size_t count, const std::string& path) {
+  if (mode == TINYGLTF_MODE_TRIANGLES && count % 3 != 0)
+    throw InvalidValue(path, "three corners for each triangle", std::to_string(count));
+}
+
 void append_primitive(const AccessorSource& source, const tinygltf::Primitive& primitive, const std::string& path,
                       TriangleSoup& soup) {
   const auto position = primitive.attributes.find("POSITION");
@@ -188,6 +195,7 @@ void append_primitive(const AccessorSource& source, const tinygltf::Primitive& p
   std::vector<std::uint32_t> order;
   if (primitive.indices >= 0) {
     const Elements indices(source, primitive.indices, TINYGLTF_TYPE_SCALAR, path + ".indices");
+    check_corners(primitive.mode, indices.count(), path + ".indices");
     for (std::size_t i = 0; i < indices.count(); ++i) {
       const std::uint32_t index = indices.whole(i);
       if (index >= points.count())
@@ -196,6 +204,7 @@ void append_primitive(const AccessorSource& source, const tinygltf::Primitive& p
       order.push_back(first + index);
     }
   } else {
+    check_corners(primitive.mode, points.count(), path + ".attributes.POSITION");
     for (std::size_t i = 0; i < points.count(); ++i) order.push_back(first + static_cast<std::uint32_t>(i));
   }
   const auto triangles = corners_of(primitive.mode, order);
@@ -208,6 +217,9 @@ TriangleSoup GltfDocument::triangles(std::size_t mesh, int& skipped) const {
   const tinygltf::Model& model = buffers_->model;
   if (mesh >= model.meshes.size())
     throw InvalidValue("mesh", "an index below " + std::to_string(model.meshes.size()), std::to_string(mesh));
+  // Named before the faults that come of it: a compressed mesh has no points of its own.
+  if (const auto name = required_of_meshes(JsonValue(json_, "")))
+    name->fail("no extension of how meshes are stored, as they are read");
   TriangleSoup soup;
   for (std::size_t i = 0; i < model.meshes[mesh].primitives.size(); ++i) {
     const tinygltf::Primitive& primitive = model.meshes[mesh].primitives[i];

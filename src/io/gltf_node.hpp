@@ -14,7 +14,11 @@ struct NodeTransform {
   Quatd rotation{};
   Vec3d scale{1, 1, 1};
 
-  Affine map() const { return {rotation_matrix(rotation) * Mat3d::diagonal(scale), translation}; }
+  Affine map() const {
+    const auto sign = [](double s) { return s < 0 ? -1.0 : 1.0; };
+    return {
+        rotation_matrix(rotation) * Mat3d::diagonal(scale), translation, {sign(scale.x), sign(scale.y), sign(scale.z)}};
+  }
 };
 
 inline Vec3d vector_or(const JsonValue& json, const char* key, const Vec3d& otherwise) {
@@ -44,6 +48,8 @@ inline Affine node_map(const JsonValue& node) {
   Affine map;
   for (std::size_t r = 0; r < 3; ++r) map.linear.row[r] = {at(0, r), at(1, r), at(2, r)};
   map.translation = {at(3, 0), at(3, 1), at(3, 2)};
+  // Of a matrix that mirrors the X axis has the sign, as in the usual decomposition.
+  if (determinant(map.linear) < 0) map.signs.x = -1;
   return map;
 }
 

@@ -1,6 +1,5 @@
 #include "io/gltf_physics.hpp"
 
-#include "io/affine.hpp"
 #include "io/gltf_node.hpp"
 
 namespace graze::io {
@@ -115,10 +114,14 @@ BodyMotion read_motion(const JsonValue& json) {
   return m;
 }
 
-BodyMotion in_body_frame(BodyMotion motion, const Mat3d& linear, const Quatd& rotation) {
-  if (motion.center_of_mass) motion.center_of_mass = rotate(conjugate(rotation), linear * *motion.center_of_mass);
-  motion.linear_velocity = rotate(rotation, motion.linear_velocity);
-  motion.angular_velocity = rotate(rotation, motion.angular_velocity);
+BodyMotion in_body_frame(BodyMotion motion, const Affine& map, const Quatd& rotation) {
+  if (motion.center_of_mass) motion.center_of_mass = rotate(conjugate(rotation), map.linear * *motion.center_of_mass);
+  motion.linear_velocity = rotate(rotation, scaled(map.signs, motion.linear_velocity));
+  motion.angular_velocity = rotate(rotation, scaled(map.signs, motion.angular_velocity));
+  // A turn R seen from the other side of the signs D is D R D, whose axis is D's times its determinant.
+  Quatd& turn = motion.inertia_orientation;
+  const Vec3d& d = map.signs;
+  turn = {d.y * d.z * turn.x, d.z * d.x * turn.y, d.x * d.y * turn.z, turn.w};
   return motion;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "graze/io/scene.hpp"
+#include "io/affine.hpp"
 #include "io/json_value.hpp"
 
 namespace graze::io {
@@ -17,9 +18,10 @@ Material read_physics_material(const JsonValue& json);
 /// A node's `motion`, all of it in the node's own space.
 BodyMotion read_motion(const JsonValue& json);
 
-/// The motion of a node in the frame of its body: `linear` is the node's map to the world, and `rotation` the body's.
-/// Positions are scaled with the node; velocities are of metres and radians a second, and only turned.
-BodyMotion in_body_frame(BodyMotion motion, const Mat3d& linear, const Quatd& rotation);
+/// The motion of a node as that of its body: `map` is the node's to the world, and `rotation` the body's. The
+/// velocities are those in the world. Positions are scaled with the node; velocities are of metres and radians a second
+/// along its axes, which a negative scale turns around.
+BodyMotion in_body_frame(BodyMotion motion, const Affine& map, const Quatd& rotation);
 
 /// The limits and drives of an element of `physicsJoints`.
 struct JointDescription {

@@ -5,6 +5,7 @@
 #include "graze/io/scene.hpp"
 #include "io/gltf_animation.hpp"
 #include "io/gltf_document.hpp"
+#include "io/gltf_extensions.hpp"
 #include "io/gltf_node.hpp"
 #include "io/gltf_physics.hpp"
 #include "io/mesh_collider.hpp"
@@ -57,6 +58,8 @@ class SceneReader {
       meshes_collide();
     else if (options_.chosen)
       notice("the file has colliders of its own, which stay: none are made of its meshes");
+    if (const auto name = required_of_meshes(root_))
+      notice(name->path() + ": " + name->string() + " is not read, and no collider is made of a mesh");
     if (skipped_primitives_ > 0)
       notice(std::to_string(skipped_primitives_) + " primitives of points or lines are skipped");
     if (options_.animations) {
@@ -190,8 +193,8 @@ class SceneReader {
     if (const auto motion = physics->find("motion")) {
       require_regular(node, map);
       validate::point(map.translation, node.path() + " (in the world).translation");
-      const Posed pose = rigid_part(map);
-      const BodyMotion m = in_body_frame(read_motion(*motion), map.linear, pose.rotation);
+      const Posed pose = body_pose(map);
+      const BodyMotion m = in_body_frame(read_motion(*motion), map, pose.rotation);
       body = add_body(visit.node, m.kinematic ? MotionType::kinematic : MotionType::dynamic, m, pose);
       moves_ = true;
     }
@@ -258,7 +261,7 @@ class SceneReader {
   }
 
   Collider placed(std::size_t node, const Shaped& shape, const Affine& map, int body) {
-    if (body < 0) body = add_body(node, MotionType::fixed, {}, rigid_part(map));
+    if (body < 0) body = add_body(node, MotionType::fixed, {}, body_pose(map));
     const MappedShape result = mapped_at(node, shape, map);
     tree_.colliders.push_back({shape, node, map});
     if (!result.notice.empty()) notice(name_of(node) + ": " + result.notice);

@@ -108,15 +108,17 @@ std::uint64_t PlaneSceneBuilder::bits_of(const std::vector<std::string>& names) 
   return bits;
 }
 
-void PlaneSceneBuilder::add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose) {
+std::uint32_t PlaneSceneBuilder::add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose,
+                                     std::optional<std::uint32_t> body) {
   PlaneCollider collider{std::move(name), 0, std::move(shape), pose, {}, role.trigger};
-  collider.body = body_of(collider.name, role);
+  collider.body = body ? *body : body_of(collider.name, role);
   // A collider that belongs to no system has the last bit.
   collider.filter.category = role.systems.empty() ? std::uint64_t(1) << 63 : bits_of(role.systems);
   if (!role.collide_with.empty()) collider.filter.mask = bits_of(role.collide_with);
   if (!role.not_collide_with.empty()) collider.filter.mask = ~bits_of(role.not_collide_with);
   collider.filter.group = -1 - static_cast<std::int32_t>(collider.body);
   scene_.colliders.push_back(std::move(collider));
+  return scene_.colliders.back().body;
 }
 
 bool is_plane_scene(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,10 @@ class PlaneSceneBuilder {
     PlaneMotion physics;  ///< the same of all that is one body
   };
 
-  /// Adds a collider. Throws `InvalidValue` for more collision systems than bits, or for a body that moves in two ways.
-  void add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose);
+  /// Adds a collider, to a body that is there or else to that of its role, and returns the body. Throws `InvalidValue`
+  /// for more collision systems than bits, or for a body that moves in two ways.
+  std::uint32_t add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose,
+                    std::optional<std::uint32_t> body = {});
   void set_gravity(const plane::Vec2d& gravity) { scene_.gravity = gravity; }
   void note(std::string sentence) { scene_.notices.push_back(std::move(sentence)); }
   std::size_t size() const { return scene_.colliders.size(); }

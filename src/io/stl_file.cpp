@@ -66,13 +66,17 @@ TriangleSoup read_text(std::string_view text) {
   TextLines lines(text);
   std::array<Vec3d, 3> corners;
   std::size_t count = 0;
+  bool within_solid = false;
   const auto facet_ends = [&] {
     if (count != 0) lines.fail("a facet of 3 vertices");
   };
   while (lines.next()) {
     const Words words = lines.words();
     if (words.empty()) continue;
-    if (words[0] == "facet") {
+    if (words[0] == "solid" || words[0] == "endsolid") {
+      facet_ends();
+      within_solid = words[0] == "solid";
+    } else if (words[0] == "facet") {
       facet_ends();
       // Programs write normals of triangles without area as nan.
       if (words.size() < 2 || words[1] != "normal" || !vector_in(words, 2)) lines.fail("facet normal and 3 numbers");
@@ -87,6 +91,7 @@ TriangleSoup read_text(std::string_view text) {
   }
   if (count != 0) throw InvalidValue("", "facets of 3 vertices", std::to_string(count) + " in the last");
   if (soup.triangles.empty()) throw InvalidValue("", "a mesh with triangles", "no facets");
+  if (within_solid) throw InvalidValue(lines.place(), "endsolid behind the last facet", "the end of the file");
   return soup;
 }
 
@@ -96,8 +101,9 @@ TriangleSoup read_stl(std::string_view bytes) {
   const std::uint32_t count = bytes.size() >= header_size ? word_at(bytes, count_at) : 0;
   if (bytes.size() >= header_size && bytes.size() == header_size + triangle_size * std::size_t{count})
     return read_binary(bytes, count);
-  const std::size_t begin = bytes.find_first_not_of(" \t\r\n\v\f");
-  if (begin != std::string_view::npos && bytes.substr(begin).starts_with("solid")) return read_text(bytes);
+  const std::string_view text = without_byte_order_mark(bytes);
+  const std::size_t begin = text.find_first_not_of(" \t\r\n\v\f");
+  if (begin != std::string_view::npos && text.substr(begin).starts_with("solid")) return read_text(text);
   if (bytes.size() < header_size)
     throw InvalidValue("", "a text that begins with solid, or a binary header of 84 bytes",
                        std::to_string(bytes.size()) + " bytes");

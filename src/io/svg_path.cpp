@@ -332,6 +332,33 @@ Affine2 read_transform(std::string_view text) {
   return all;
 }
 
+Affine2 read_view_box(std::string_view view_box, const Vec2d& size, std::string_view preserve_aspect_ratio) {
+  const std::vector<double> box = number_list(view_box);
+  if (box.size() != 4 || !(box[2] > 0) || !(box[3] > 0))
+    throw InvalidValue("", "x, y and a width and height above 0", quoted(view_box));
+  Vec2d scale{size.x / box[2], size.y / box[3]}, free{};
+  if (preserve_aspect_ratio.empty()) preserve_aspect_ratio = "xMidYMid";
+  if (preserve_aspect_ratio != "none") {
+    const auto refuse = [&] {
+      throw InvalidValue("preserveAspectRatio", "none, or xMidYMid or its like, and meet or slice",
+                         quoted(preserve_aspect_ratio));
+    };
+    const std::string_view align = preserve_aspect_ratio.substr(0, 8),
+                           rest = preserve_aspect_ratio.substr(align.size());
+    const auto share = [&](std::string_view word) {
+      if (word == "Mid") return 0.5;
+      if (word != "Min" && word != "Max") refuse();
+      return word == "Min" ? 0.0 : 1.0;
+    };
+    if (align.size() != 8 || align[0] != 'x' || align[4] != 'Y') refuse();
+    if (!rest.empty() && rest != " meet" && rest != " slice") refuse();
+    const double both = rest == " slice" ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
+    free = {share(align.substr(1, 3)) * (size.x - both * box[2]), share(align.substr(5, 3)) * (size.y - both * box[3])};
+    scale = {both, both};
+  }
+  return {{scale.x, 0}, {0, scale.y}, {free.x - scale.x * box[0], free.y - scale.y * box[1]}};
+}
+
 std::vector<Subpath> read_path(std::string_view text, const Affine2& map, std::optional<double> tolerance) {
   const std::vector<Outline> outlines = PathReader(text).read();
   const double size = size_of(outlines, map);

@@ -38,6 +38,10 @@ std::vector<double> number_list(std::string_view text);
 /// SVG's `transform`: matrix, translate, scale, rotate, skewX and skewY, one behind the other.
 Affine2 read_transform(std::string_view text);
 
+/// The map from the `viewBox` of a viewport to its area, from the origin to `size`: as `preserveAspectRatio` says,
+/// which is xMidYMid meet where it is empty.
+Affine2 read_view_box(std::string_view view_box, const plane::Vec2d& size, std::string_view preserve_aspect_ratio);
+
 /// One outline of a path.
 struct Subpath {
   std::vector<plane::Vec2d> points;

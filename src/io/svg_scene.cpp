@@ -29,6 +29,19 @@ struct Context {
   std::optional<double> tolerance;
 };
 
+/// The value of a property in a `style`, without spaces, or empty; of several the last counts.
+std::string style_property(std::string_view style, std::string_view name) {
+  std::string plain, value;
+  for (const char c : style)
+    if (!is_space(c)) plain += c;
+  for (std::string_view rest = plain; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(';'), rest.size()), colon = rest.find(':');
+    if (colon < end && rest.substr(0, colon) == name) value = rest.substr(colon + 1, end - colon - 1);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return value;
+}
+
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> out;
   std::size_t at = 0;
@@ -157,11 +170,34 @@ class SvgReader {
   static bool hidden(const XmlElement& element) {
     const std::string *display = element.attribute("display"), *style = element.attribute("style");
     if (display && *display == "none") return true;
-    if (!style) return false;
-    std::string plain;
-    for (const char c : *style)
-      if (!is_space(c)) plain += c;
-    return (";" + plain + ";").find(";display:none;") != std::string::npos;
+    return style && style_property(*style, "display") == "none";
+  }
+
+  /// Refuses a place in a `style`, which has units, an origin and an order of its own; as an attribute it is read.
+  static void check_style(const XmlElement& element) {
+    with(element, "style", [](std::string_view style) {
+      for (const char* name : {"transform", "translate", "rotate", "scale", "offset-path"}) {
+        const std::string value = style_property(style, name);
+        if (!value.empty() && value != "none")
+          throw InvalidValue("", "a transform as an attribute of its own",
+                             quoted(std::string_view(std::string(name) + ":" + value)));
+      }
+    });
+  }
+
+  /// The map from the inside of an <svg> within another to what is around it. Of that at the root neither size nor
+  /// `viewBox` count, as the numbers of the drawing are those of the scene.
+  static Affine2 viewport_of(const XmlElement& element) {
+    const Affine2 place{{1, 0}, {0, 1}, {number(element, "x", 0), number(element, "y", 0)}};
+    Affine2 inside;
+    with(element, "viewBox", [&](std::string_view box) {
+      for (const char* side : {"width", "height"})
+        if (!element.attribute(side)) throw InvalidValue("", std::string("a ") + side + " beside it", "none");
+      const Vec2d size{length_of(element, "width"), length_of(element, "height")};
+      const std::string* ratio = element.attribute("preserveAspectRatio");
+      inside = read_view_box(box, size, ratio ? std::string_view(*ratio) : std::string_view());
+    });
+    return place * inside;
   }
 
   void walk(const XmlElement& element, Context context) {
@@ -177,7 +213,9 @@ class SvgReader {
         if (drawn.count(name)) skipped_.insert(name);
         return;
       }
+      check_style(element);
       add_attributes(element, context);
+      if (name == "svg" && elements_ > 1) context.map = context.map * viewport_of(element);
       if (!group) return add(element, name, context);
     } catch (const InvalidValue& e) {
       throw e.below(place_of(element));
@@ -199,7 +237,8 @@ class SvgReader {
     if (name == "line") {
       const Vec2d p{number(element, "x1", 0), number(element, "y1", 0)},
           q{number(element, "x2", 0), number(element, "y2", 0)};
-      return add_points(element, {{context.map(p), context.map(q)}, false}, context, margin, false);
+      add_points(element, {{context.map(p), context.map(q)}, false}, context, margin, false);
+      return;
     }
     if (name == "path") {
       std::vector<Subpath> paths;
@@ -209,7 +248,8 @@ class SvgReader {
       // The fill rule would decide whether one outline is a hole in another, and holes are not read.
       if (closed > 1 && solid)
         throw InvalidValue("d", "one closed outline (a path each, or data-solid=\"false\")", std::to_string(closed));
-      for (const Subpath& p : paths) add_points(element, p, context, margin, solid);
+      std::optional<std::uint32_t> body;  // one, of however many pieces
+      for (const Subpath& p : paths) body = add_points(element, p, context, margin, solid, body);
       return;
     }
     Subpath path{{}, name == "polygon"};
@@ -223,13 +263,17 @@ class SvgReader {
     if (!path.points.empty()) add_points(element, path, context, margin, solid);
   }
 
-  void put(const XmlElement& element, const Context& context, plane::Shaped shape, const Pose2d& pose) {
+  using OptionalBody = std::optional<std::uint32_t>;
+
+  /// Adds the shape of an element, to a body that is there or else to that of its role, and returns the body.
+  std::uint32_t put(const XmlElement& element, const Context& context, plane::Shaped shape, const Pose2d& pose,
+                    OptionalBody body = {}) {
     for (const double v : {pose.translation.x, pose.translation.y})
       if (const char* expectation = validate::fault_of_coordinate(v))
         throw InvalidValue("position", expectation, validate::number(v));
     const std::string* id = element.attribute("id");
     std::string name = id ? *id : element.name + " " + std::to_string(scene_.size());
-    scene_.add(std::move(name), context.role, std::move(shape), pose);
+    return scene_.add(std::move(name), context.role, std::move(shape), pose, body);
   }
 
   void add_rect(const XmlElement& element, const Context& context, double margin) {
@@ -248,7 +292,8 @@ class SvgReader {
       for (const Vec2d& p :
            {corner, corner + Vec2d{width, 0}, corner + Vec2d{width, height}, corner + Vec2d{0, height}})
         path.points.push_back(context.map(p));
-      return add_points(element, path, context, margin, true);
+      add_points(element, path, context, margin, true);
+      return;
     }
     const double s = stretches.longer;
     if (rx != ry) {
@@ -267,12 +312,14 @@ class SvgReader {
     const Stretches radii = stretches_of(context.map * Affine2{{rx, 0}, {0, ry}, {}});
     const Pose2d pose{context.map(center), {radii.turn.x, radii.turn.y}};
     if (radii.similar)
-      return put(element, context, {plane::Circle<double>(radii.longer), margin}, {pose.translation, {}});
-    put(element, context, {plane::Ellipse<double>({radii.longer, radii.shorter}), margin}, pose);
+      put(element, context, {plane::Circle<double>(radii.longer), margin}, {pose.translation, {}});
+    else
+      put(element, context, {plane::Ellipse<double>({radii.longer, radii.shorter}), margin}, pose);
   }
 
   /// Adds a closed outline as a solid polygon or a closed chain, an open one as a chain; two points as a segment.
-  void add_points(const XmlElement& element, Subpath path, const Context& context, double margin, bool solid) {
+  std::uint32_t add_points(const XmlElement& element, Subpath path, const Context& context, double margin, bool solid,
+                           OptionalBody body = {}) {
     std::vector<Vec2d>& points = path.points;
     const auto repeats = [](const Vec2d& p, const Vec2d& q) { return p == q; };
     points.erase(std::unique(points.begin(), points.end(), repeats), points.end());
@@ -281,21 +328,23 @@ class SvgReader {
     for (const Vec2d& p : points) low = plane::least(low, p), high = plane::greatest(high, p);
     const Pose2d pose{(low + high) * 0.5, {}};
     for (Vec2d& p : points) p -= pose.translation;
-    if (points.size() == 1) return put(element, context, {plane::Segment<double>(points[0], points[0]), margin}, pose);
-    if (points.size() == 2) return put(element, context, {plane::Segment<double>(points[0], points[1]), margin}, pose);
+    if (points.size() == 1)
+      return put(element, context, {plane::Segment<double>(points[0], points[0]), margin}, pose, body);
+    if (points.size() == 2)
+      return put(element, context, {plane::Segment<double>(points[0], points[1]), margin}, pose, body);
     if (path.closed && solid) {
       cutting_ += double(points.size()) * double(points.size());
       if (!(cutting_ <= most_cutting))
         throw InvalidValue("", "solid outlines of fewer points, in all (20,000 in one; chains may have more)",
                            std::to_string(points.size()) + " more");
-      return put(element, context, {plane::Polygon<double>(points), margin}, pose);
+      return put(element, context, {plane::Polygon<double>(points), margin}, pose, body);
     }
     plane::ChainSides sides = plane::ChainSides::both;
     with(element, "data-sides", [&](std::string_view text) {
       if (text != "one" && text != "both") throw InvalidValue("", "one or both", quoted(text));
       if (text == "one") sides = plane::ChainSides::one;
     });
-    put(element, context, {plane::Chain<double>(points, path.closed, sides), margin}, pose);
+    return put(element, context, {plane::Chain<double>(points, path.closed, sides), margin}, pose, body);
   }
 
   PlaneSceneBuilder scene_;

@@ -19,9 +19,16 @@ std::string quoted(std::string_view text);
 /// The number that a whole word is, infinities and NaN included; or nothing.
 std::optional<double> number_in(std::string_view word);
 
+/// A text without the byte-order mark of UTF-8 that editors of some systems put before it.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  return text;
+}
+
 class TextLines {
  public:
-  explicit TextLines(std::string_view text) : rest_(text) {}
+  explicit TextLines(std::string_view text) : rest_(without_byte_order_mark(text)) {}
 
   /// Goes on to the next line, which ends with \n or \r\n; false at the end.
   bool next();

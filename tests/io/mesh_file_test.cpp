@@ -210,6 +210,24 @@ TEST(ObjFile, IsReadInFull) {
   EXPECT_NEAR(area, 0.01 + 0.0075, 1e-15);
 }
 
+/// Editors of some systems put it before the first line, which is one like any other.
+TEST(MeshText, AByteOrderMarkIsNoPartOfTheText) {
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n";
+  const std::string stl = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                          "endloop\nendfacet\nendsolid s\n";
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                          "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                          "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const auto& [text, ending] : {std::pair{obj, "obj"}, {stl, "stl"}, {ply, "ply"}}) {
+    ASSERT_EQ(mesh_refusal(mark + text, ending), "read") << ending;
+    const TriangleSoup plain = read_mesh_file(text, ending), marked = read_mesh_file(mark + text, ending);
+    EXPECT_EQ(marked.points, plain.points) << ending;
+    EXPECT_EQ(marked.triangles, plain.triangles) << ending;
+  }
+  EXPECT_EQ(read_mesh_file(mark + obj, "obj").points[0], (Vec3d{0, 0, 0}));
+}
+
 TEST(ObjFile, APolygonOfManyCornersIsRefused) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
   for (int i = 0; i < 1025; ++i) text += " " + std::to_string(1 + i % 3);
@@ -250,6 +268,21 @@ TEST(StlFile, AFacetHasThreeVertices) {
   EXPECT_EQ(mesh_refusal(head + tail, "stl"), "line 6: expected a facet of 3 vertices, got \"endloop\"");
   EXPECT_EQ(mesh_refusal(head, "stl"), "expected facets of 3 vertices, got 2 in the last");
   EXPECT_EQ(mesh_refusal("solid s\nendsolid s\n", "stl"), "expected a mesh with triangles, got no facets");
+}
+
+/// Of a text that is cut off every beginning is refused, those that end between two facets too.
+TEST(StlFile, EveryBeginningOfATextIsRefused) {
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                            "endfacet\n";
+  const std::string solid = "solid s\n" + facet + facet + "endsolid s\n", two = solid + solid;
+  EXPECT_EQ(read_mesh_file(two, "stl").triangles.size(), 4u);
+  for (std::size_t length = 0; length < two.size(); ++length) {
+    const bool one = length >= solid.find("endsolid") + 8 && length < solid.size() + 5;  // up to the next "solid"
+    const bool all = length >= solid.size() + solid.find("endsolid") + 8;
+    EXPECT_EQ(mesh_refusal(two.substr(0, length), "stl") == "read", one || all) << length;
+  }
+  EXPECT_EQ(mesh_refusal("solid s\n" + facet, "stl"),
+            "line 8: expected endsolid behind the last facet, got the end of the file");
 }
 
 TEST(StlFile, TextIsReadAndItsFaultsAreNamedByLine) {

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "graze/error.hpp"
+#include "graze/io/collide.hpp"
+#include "graze/io/plane_simulate.hpp"
 #include "graze/plane/mass.hpp"
 #include "graze/plane/query.hpp"
 #include "io/svg_path.hpp"
@@ -59,6 +61,57 @@ TEST(PlaneSvg, TransformsMoveTurnStretchAndMirror) {
   EXPECT_NEAR(at(svg(R"x(<rect width="2" height="1" transform="matrix(0 1 1 0 5 5)"/>)x"), 5.5, 8), 1, 1e-12);
   EXPECT_NEAR(at(svg(R"x(<rect width="2" height="2" transform="rotate(45, 1, 1)"/>)x"), 1, 1 + std::sqrt(2.0) + 1), 1,
               1e-12);
+}
+
+/// An <svg> inside another is a viewport of its own; that at the root has the numbers of the drawing.
+TEST(PlaneSvg, InnerDrawingsHaveTheirPlaceAndSize) {
+  const auto inner = [](const std::string& attributes) {
+    return svg("<svg " + attributes + R"x("><rect width="2" height="2"/></svg>)x");
+  };
+  EXPECT_NEAR(at(inner(R"x(x="50" y="7)x"), 53, 8), 1, 1e-12);
+  EXPECT_NEAR(at(inner(R"x(transform="scale(2)" x="50)x"), 105, 1), 1, 1e-12);
+  // Ten units over twenty by forty: twice as large, ten units below the top.
+  EXPECT_NEAR(at(inner(R"x(x="50" width="20" height="40" viewBox="-1 -1 10 10)x"), 58, 14), 2, 1e-12);
+  const std::string box = R"x(width="20" height="40" viewBox="0 0 10 10" preserveAspectRatio=")x";
+  EXPECT_NEAR(at(inner(box + "none"), 2, 9), 1, 1e-12);
+  EXPECT_NEAR(at(inner(box + "xMinYMax"), 2, 19), 1, 1e-12);
+  EXPECT_NEAR(at(inner(box + "xMaxYMin slice"), -11, 4), 1, 1e-12);
+  EXPECT_NE(refused(R"x(<svg viewBox="0 0 1 1"/>)x").find("width"), std::string::npos);
+  EXPECT_NE(refused(R"x(<svg width="1" height="1" viewBox="0 0 0 1"/>)x").find("above 0"), std::string::npos);
+  EXPECT_NE(refused("<svg " + box + "middle\"/>").find("xMidYMid"), std::string::npos);
+  EXPECT_NE(refused(R"x(<svg x="50%"/>)x").find("50%"), std::string::npos);
+  EXPECT_NEAR(at(load_plane_svg(R"x(<svg viewBox="5 5 1 1" width="9"><circle r="1"/></svg>)x", "t.svg"), 3, 0), 2,
+              1e-12);
+}
+
+/// A style may move an element in words of its own, which are refused and not passed over.
+TEST(PlaneSvg, TransformsInStylesAreRefused) {
+  for (const char* style : {"transform: translate(50px)", "fill:red;rotate:45deg", "transform:none; scale:2"})
+    EXPECT_NE(refused("<g style='" + std::string(style) + "'><circle r='1'/></g>").find("style: expected a transform"),
+              std::string::npos)
+        << style;
+  EXPECT_EQ(refused("<circle r='1' style='transform:none;transform-origin:1px 1px;fill:none'/>"), "nothing");
+}
+
+/// The pieces of a path are one body, which does not touch itself, and not that of another path without a name.
+TEST(PlaneSvg, PiecesOfAPathAreOneBody) {
+  for (const char* id : {"id='p'", ""}) {
+    const std::string path = "<path " + std::string(id) + " d='M0 0 L5 0 M5 0 L15 0'";
+    const PlaneScene scene = svg(path + "/>");
+    ASSERT_EQ(scene.colliders.size(), 2u);
+    EXPECT_EQ(scene.bodies.size(), 1u);
+    EXPECT_TRUE(collide(scene).empty());
+    EXPECT_EQ(svg(path + "/>" + path + "/>").bodies.size(), 2u);
+    EXPECT_EQ(svg(path + " data-body='b'/><circle cx='40' r='1' data-body='b'/>").bodies.size(), 1u);
+  }
+  const PlaneScene moving = svg("<path class='dynamic' data-mass='2' data-inertia='50' d='M0 0 L5 0 M5 0 L15 0'/>");
+  SimulateOptions options;
+  options.seconds = 1;
+  std::vector<PlaneSimulationFrame> frames;
+  simulate(moving, options, [&](const PlaneSimulationFrame& frame) { frames.push_back(frame); });
+  ASSERT_EQ(frames.back().bodies.size(), 1u);
+  EXPECT_NEAR(frames.back().bodies[0].translation.y, -4.905, 0.1);
+  EXPECT_NEAR(frames.back().bodies[0].rotation, 0, 1e-9);
 }
 
 TEST(PlaneSvg, CurvesStayWithinTheTolerance) {

@@ -160,6 +160,55 @@ TEST(ScenePhysics, AMirroredNodeHasAFrameToo) {
   expect_near(*body.motion->center_of_mass, {0, 0, -2});
 }
 
+/// Negative scales leave a body's rotation that of its nodes, and velocities along the node's axes. Two of them are no
+/// half turn. The crate hangs on a quarter turn about y, which takes x to -z and z to x.
+TEST(ScenePhysics, NegativeScalesTurnNoBody) {
+  for (const Vec3d& s : {Vec3d{-1, 1, 1}, Vec3d{1, -1, 1}, Vec3d{1, 1, -3}, Vec3d{-1, -2, 1}, Vec3d{-1, -1, -1}}) {
+    Json json = base();
+    json["nodes"][2]["scale"] = {s.x, s.y, s.z};
+    motion(json) = {{"mass", 2},
+                    {"linearVelocity", {1, 2, 3}},
+                    {"angularVelocity", {4, 5, 6}},
+                    {"inertiaDiagonal", {1, 2, 3}},
+                    {"inertiaOrientation", {0.1, 0.3, 0.5, 0.8}}};
+    const Scene scene = load(json);
+    const Body& body = crate(scene);
+    expect_near(rotate(body.pose.rotation, Vec3d{1, 0, 0}), {0, 0, -1});
+    expect_near(rotate(body.pose.rotation, Vec3d{0, 0, 1}), {1, 0, 0});
+    const Vec3d sign{std::copysign(1.0, s.x), std::copysign(1.0, s.y), std::copysign(1.0, s.z)};
+    expect_near(body.motion->linear_velocity, {3 * sign.z, 2 * sign.y, -sign.x});
+    expect_near(body.motion->angular_velocity, {6 * sign.z, 5 * sign.y, -4 * sign.x});
+    // The first principal axis, which is that of the file with the node's axes.
+    const Vec3d axis = rotate(normalized(Quatd{0.1, 0.3, 0.5, 0.8}), Vec3d{1, 0, 0});
+    const Vec3d found = rotate(body.motion->inertia_orientation, Vec3d{1, 0, 0});
+    EXPECT_NEAR(std::abs(dot(found, scaled(axis, sign))), 1, 1e-12);
+  }
+}
+
+/// A mirror above a turned node turns the node the other way round, and a matrix may mirror as a scale does.
+TEST(ScenePhysics, MirrorsAboveANodeReflectItsTurn) {
+  const double half = 0.5 * std::sqrt(2.0);
+  Json json = base();
+  json["nodes"][2]["rotation"] = {0, 0, half, half};  // a quarter turn about z, x to y
+  Json& parent = json["nodes"][1];
+  parent.erase("rotation");
+  for (const bool matrix : {false, true}) {
+    if (matrix) {
+      parent.erase("translation");
+      parent["matrix"] = {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    } else {
+      parent["scale"] = {-1, 1, 1};
+    }
+    motion(json)["linearVelocity"] = {1, 2, 3};
+    const Scene scene = load(json);
+    const Body& body = crate(scene);
+    expect_near(rotate(body.pose.rotation, Vec3d{1, 0, 0}), {0, -1, 0});
+    expect_near(rotate(body.pose.rotation, Vec3d{0, 0, 1}), {0, 0, 1});
+    // The node's x axis is y of the world, and its y axis, -x of the mirrored space, is x.
+    expect_near(body.motion->linear_velocity, {2, 1, 3});
+  }
+}
+
 TEST(ScenePhysics, JointsHoldTheirFramesInTheirBodies) {
   Json json = base();
   physics(json, 3)["joint"]["enableCollision"] = true;

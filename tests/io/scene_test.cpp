@@ -237,6 +237,59 @@ TEST(GltfScene, FaultsOfBuffersAndAccessorsAreNamed) {
             "test.gltf: asset.version: expected a version 2.x of glTF, got \"1.0\"");
 }
 
+/// What glTF forbids and would be read as something else.
+TEST(GltfScene, VersionsExtensionsStridesAndCountsThatAreNotReadAreRefused) {
+  const auto with = [](const std::function<void(Json&)>& change) {
+    Json json = with_triangle();
+    change(json);
+    return gltf_refusal(json);
+  };
+  EXPECT_EQ(with([](Json& j) { j["asset"]["minVersion"] = "2.0"; }), "loaded");
+  EXPECT_EQ(with([](Json& j) { j["asset"]["minVersion"] = "2.1"; }),
+            "test.gltf: asset.minVersion: expected a version of at most 2.0, got \"2.1\"");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0]["byteStride"] = 4; }),
+            "test.gltf: bufferViews[0].byteStride: expected at least the 12 bytes of an element, got 4");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0]["byteStride"] = 12; }), "loaded");
+  EXPECT_EQ(with([](Json& j) {
+              j["extensionsRequired"] = {"KHR_implicit_shapes", "FOO_bar"};
+            }),
+            "test.gltf: extensionsRequired[1]: expected an extension that is read (KHR_implicit_shapes, "
+            "KHR_physics_rigid_bodies) or only seen (materials, textures, lights), got \"FOO_bar\"");
+  for (const char* known :
+       {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "KHR_materials_unlit", "KHR_texture_transform",
+        "EXT_texture_webp", "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_xmp_json_ld", "KHR_animation_pointer"})
+    EXPECT_EQ(with([&](Json& j) { j["extensionsRequired"] = {known}; }), "loaded") << known;
+  // Two triangles want six corners: four are one, and a rest.
+  const auto corners = [&](int mode, int count) {
+    return with([&](Json& j) {
+      j["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 4}});
+      j["accessors"].push_back({{"bufferView", 1}, {"componentType", 5121}, {"count", count}, {"type", "SCALAR"}});
+      j["meshes"][0]["primitives"][0].update({{"indices", 1}, {"mode", mode}});
+    });
+  };
+  EXPECT_EQ(corners(4, 3), "loaded");
+  EXPECT_EQ(corners(4, 4),
+            "test.gltf: meshes[0].primitives[0].indices: expected three corners for each triangle, got 4");
+  EXPECT_EQ(corners(5, 4), "loaded");
+}
+
+/// How meshes are stored is nothing to a file whose colliders are shapes, and is told.
+TEST(GltfScene, CompressedMeshesAreRefusedWhereTheyAreRead) {
+  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"}) {
+    Json json = with_triangle();
+    json["extensionsRequired"] = {name};
+    EXPECT_EQ(gltf_refusal(json),
+              "test.gltf: extensionsRequired[0]: expected no extension of how meshes are stored, as "
+              "they are read, got \"" +
+                  std::string(name) + "\"");
+    physics(json, 0)["collider"]["geometry"] = {{"shape", 0}};
+    const Scene scene = load(json);
+    EXPECT_EQ(scene.colliders.size(), 2u);
+    EXPECT_EQ(scene.notices, std::vector<std::string>{"extensionsRequired[0]: " + std::string(name) +
+                                                      " is not read, and no collider is made of a mesh"});
+  }
+}
+
 // A gigabyte of points claimed in a kilobyte of file.
 TEST(GltfScene, CountsBeyondTheBufferAreRefused) {
   Json json = with_triangle();
