@@ -96,14 +96,13 @@ struct Meeting {
   T speed{};                                    ///< of the approach then
 };
 
-/// The meeting of two balls, by the root of |d + v t| = r.
+/// The meeting of two balls that approach each other, by the root of |d + v t| = r.
 template <class T, class Vec>
 Meeting<T> meeting_of_balls(const Vec& d, const Vec& v, T r) {
-  const T half = dot(d, v), square = length_squared(v), beyond = length_squared(d) - r * r,
-          root_squared = half * half - square * beyond;
-  if (!(root_squared > T(0)) || !(r > T(0))) return {};
+  const T half = dot(d, v), beyond = length_squared(d) - r * r, root_squared = half * half - length_squared(v) * beyond;
+  if (!(half < T(0)) || !(root_squared > T(0)) || !(r > T(0))) return {};
   const T root = std::sqrt(root_squared);
-  return {half < T(0) ? beyond / (root - half) : -(half + root) / square, root / r};
+  return {beyond / (root - half), root / r};
 }
 
 /// The meeting at a point of a manifold. `behind_a` and `behind_b`: for how long the bodies have still to move on.
