@@ -69,9 +69,9 @@ GRAZE_API void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape
 /// face and so has no point of that face opposite it. Such a corner gets no point, which would come and go with the
 /// rounding of poses wherever edges of stacked boxes about coincide.
 ///
-/// A shape wholly inside a solid mesh (see `Mesh::solid`) has one point there, that of `distance`. One that pokes out
-/// with its middle inside is pushed out by the points that lie behind the triangle through which it leaves soonest, as
-/// deep as that way is; `distance` is that of the deepest pair of pieces.
+/// A shape wholly inside a solid mesh (see `Mesh::solid`) has one point there, that of `distance`. A convex one
+/// that pokes out with its middle inside is pushed out by the points that lie behind the triangle through which it
+/// leaves soonest, as deep as that way is; `distance` is that of the deepest pair of pieces.
 ///
 /// Two half-spaces that are not opposite overlap without a depth and so without points: they have no manifold, alone or
 /// as children of compounds, and the answer is still that the shapes overlap.

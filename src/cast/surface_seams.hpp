@@ -54,8 +54,8 @@ class SurfaceSeams {
       if (leads_over(seams_[i], n)) return true;
     return false;
   }
-  /// Whether it leads over the seam on which a point of the triangle lies, so that what is beyond is cut there. On a rim
-  /// it leads into the air, whatever lies beyond other sides.
+  /// Whether it leads over the seam on which a point of the triangle lies, so that what is beyond is cut there. On a
+  /// rim it leads into the air, whatever lies beyond other sides.
   bool crossed_by(const Vec3d& n, const Vec3d& point) const {
     std::array<double, 3> aside;
     for (std::size_t i = 0; i < 3; ++i) aside[i] = std::abs(dot(point - sides_[i].begin, sides_[i].outward));

@@ -25,8 +25,8 @@ bool is_compound(const Shape<T>& shape) {
   return shape.template as<Compound<T>>() != nullptr;
 }
 
-/// Whether a triangle would push along a direction that leads from its back. A sliver's normal is rounding, and along an
-/// edge the direction lies in the triangle's plane but for that: both push.
+/// Whether a triangle would push along a direction that leads from its back. A sliver's normal is rounding, and along
+/// an edge the direction lies in the triangle's plane but for that: both push.
 template <class T>
 bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
   const auto* triangle = part.shape.template as<Triangle<T>>();

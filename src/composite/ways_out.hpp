@@ -1,7 +1,8 @@
 // Bodies that poke out of a solid mesh while their middle is inside: the contacts that push them out.
 //
-// Guarantee: nothing pulls such a body in. Of the triangles that it meets from behind it is pushed out through one, the
-// one through which it has left after the least way, by all points that stand on the triangle's plane from below.
+// Guarantee: nothing pulls such a body in, if it is convex or a convex child of a compound. Of the triangles that it
+// meets from behind it is pushed out through one, the one through which it has left after the least way, by all points
+// that stand on the triangle's plane from below. Triangles of other surfaces are met from both sides as ever.
 #pragma once
 
 #include <limits>
@@ -16,9 +17,9 @@ namespace graze {
 template <class T>
 class WaysOut {
  public:
-  /// Whether the middle of `body` is inside the solid mesh of `triangle`, which it meets from behind. Its way out through
-  /// that triangle is known then. Not of half-spaces, nor of triangles: those of a floor are inside of what has sunk into
-  /// it. `body_is_a`: whether `body` is a piece of A.
+  /// Whether the middle of `body` is inside the solid mesh of `triangle`, which it meets from behind. Its way out
+  /// through that triangle is known then. Not of half-spaces, nor of triangles: those of a floor are inside of what has
+  /// sunk into it. `body_is_a`: whether `body` is a piece of A.
   bool leads_out(const Part<T>& body, const Part<T>& triangle, bool body_is_a, T margin);
 
   /// Calls `f(manifold)` for the least way out of each body.

@@ -32,8 +32,8 @@ typename Space::Velocity mean_velocity(const typename Space::Pose& from, const t
   return {(to.translation - from.translation) / dt, by_whole_turns(turning, spin, dt)};
 }
 
-/// The part of the motion that needs no cast by which a body that is as deep as that may still sink in a step: less than
-/// contacts push it out, but not nothing, or it would hang there.
+/// The part of the motion that needs no cast by which a body that is as deep as that may still sink in a step: less
+/// than contacts push it out, but not nothing, or it would hang there.
 template <class T>
 constexpr T sunk_on = T(0.125);
 
@@ -153,8 +153,8 @@ struct HeldBody {
 };
 
 /// The angle in a step beyond which a body that is held back by what it touches turns too fast for the steps: its
-/// contacts lie elsewhere before they have pushed, so that it is held back in every step and never gets out. The rest of
-/// its spin is taken, as by the blows that a shorter step would show.
+/// contacts lie elsewhere before they have pushed, so that it is held back in every step and never gets out. The rest
+/// of its spin is taken, as by the blows that a shorter step would show.
 template <class T>
 constexpr T followed_turn = T(1);
 
@@ -308,8 +308,8 @@ void SimulationParts<T, Space>::hold_back(T dt) {
   const std::vector<typename Space::Velocity> mean = mean_velocities(*this, dt);
   auto [first, ends, pushed] = find_meetings<T, Space>(*this, fast, mean, dt);
   if (std::none_of(ends.begin(), ends.end(), [&](T end) { return end < dt; })) return;
-  // The way of a body that stays in touch with what it met, which goes on: along the normal with the material point that
-  // it met, and around with what nothing pushes, whose point may lead far from it in a step.
+  // The way of a body that stays in touch with what it met, which goes on: along the normal with the material point
+  // that it met, and around with what nothing pushes, whose point may lead far from it in a step.
   const auto carried_by = [&, &ends = ends](std::uint32_t i, const Meeting<T, Space>& meeting) {
     const std::uint32_t other = meeting.other;
     const typename Space::Velocity& motion = mean[other];

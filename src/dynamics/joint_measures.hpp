@@ -2,9 +2,9 @@
 // which velocities change them.
 //
 // Guarantee: each row is the exact derivative of its measure, for any distance and angle of the frames, but for locked
-// angles of frames that are far apart, as they are never while a joint holds. Any other row adds energy: frames that turn
-// fast against each other differ within a sub-step. Lengths and angles that have no direction at zero get one of frame
-// A's axes.
+// angles of frames that are far apart, as they are never while a joint holds. Any other row adds energy: frames that
+// turn fast against each other differ within a sub-step. Lengths and angles that have no direction at zero get one of
+// frame A's axes.
 #pragma once
 
 #include <array>
@@ -115,8 +115,8 @@ struct JointFrames<T, Space<T>> {
     return about(s > T(0) ? a * (turn.vector() / s) : a.column(0), T(2) * angle_of(turn.w, s));
   }
 
-  /// The part about axis i of what keeps the axes k together: of the cross product of both. Where they are far apart its
-  /// rate vanishes about some axes, and it is that of frames that agree.
+  /// The part about axis i of what keeps the axes k together: of the cross product of both. Where they are far apart
+  /// its rate vanishes about some axes, and it is that of frames that agree.
   Row locked_swing(std::size_t i, std::size_t k) const {
     const Vec3<T> across = cross(a.column(i), a.column(k)), own = b.column(k);
     const Vec3<T> rate = dot(a.column(k), own) > near ? cross(own, across) : a.column(i);

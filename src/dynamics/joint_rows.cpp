@@ -20,8 +20,8 @@ T middle_of_bounds(T min, T max) {
   return !std::isfinite(min) ? max : !std::isfinite(max) ? min : (min + max) / T(2);
 }
 
-/// The angle of a driven axis to which those that differ by whole turns are taken: the middle of the axis' own bounds, if
-/// there are two, or the drive would push against one of them, the shorter way to a target within.
+/// The angle of a driven axis to which those that differ by whole turns are taken: the middle of the axis' own bounds,
+/// if there are two, or the drive would push against one of them, the shorter way to a target within.
 template <class T, class Space>
 T turn_of_drive(const Joint<T, Space>& joint, const JointDrive<T>& drive) {
   for (const JointLimit<T>& l : joint.limits)

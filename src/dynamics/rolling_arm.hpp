@@ -1,11 +1,12 @@
 // The arm of a contact on a curved surface, as its body rolls.
 //
-// Where a body rolls, its point of contact wanders over its surface. Arms are those of the step's beginning: the force
-// that rights a rocking ellipse would be late by half a step on the average, however many sub-steps there are, and a late
-// force of that kind adds energy. So curved surfaces have the arms of the step's middle.
+// The point of contact of a body that rolls wanders over its surface. Arms are those of the step's beginning: the force
+// that rights a rocking ellipse would be late by half a step on the average, however many sub-steps there are, and a
+// late force of that kind adds energy. So curved surfaces have the arms of the step's middle.
 //
 // Guarantee: right to the first order for a body on what is flat and does not turn; on what is curved itself the change
-// of the normal is left out. Balls about their centre of mass, and what is not curved, keep their arms.
+// of the normal is left out. Balls about their centre of mass keep their arms but for rounding, and what is not curved
+// to the last bit.
 #pragma once
 
 #include <optional>
@@ -14,18 +15,33 @@
 
 namespace graze {
 
-/// The change of the point that a shape has furthest along a unit vector n by a change of n across it: the Hessian of the
-/// support function. Nothing for shapes that are flat or sharp somewhere.
+namespace plane {
+
+template <class T>
+Vec2<T> scaled(const Vec2<T>& v, const Vec2<T>& by) {
+  return {v.x * by.x, v.y * by.y};
+}
+
+}  // namespace plane
+
+/// The change of the point that an ellipsoid, or an ellipse, has furthest along a unit vector n by a change of n across
+/// it: by the Hessian of the support function |D n|, D being the diagonal of the radii. Nothing where that is flat.
+template <class Vec>
+std::optional<Vec> change_on_ellipsoid(const Vec& radii, const Vec& n, const Vec& change) {
+  const auto h = length(scaled(radii, n));
+  if (!(h > 0)) return {};
+  const Vec gradient = scaled(radii, scaled(radii, n)) / h;
+  return (scaled(radii, scaled(radii, change)) - gradient * dot(gradient, change)) / h;
+}
+
+/// The change of the point that a shape has furthest along a unit vector n by a change of n across it. Nothing for
+/// shapes that are flat or sharp somewhere.
 template <class T>
 std::optional<Vec3<T>> change_of_support(const Shape<T>& shape, const Vec3<T>& n, const Vec3<T>& change) {
   if (const auto* ball = shape.template as<Sphere<T>>()) return change * (ball->radius() + shape.rounding());
   const auto* ellipsoid = shape.template as<Ellipsoid<T>>();
-  if (!ellipsoid) return {};
-  const Vec3<T>& r = ellipsoid->radii();
-  const T h = length(scaled(r, n));
-  if (!(h > T(0))) return {};
-  const Vec3<T> gradient = scaled(r, scaled(r, n)) / h;
-  return (scaled(r, scaled(r, change)) - gradient * dot(gradient, change)) / h + change * shape.rounding();
+  const auto own = ellipsoid ? change_on_ellipsoid(ellipsoid->radii(), n, change) : std::nullopt;
+  return own ? std::optional(*own + change * shape.rounding()) : std::nullopt;
 }
 
 namespace plane {
@@ -34,13 +50,8 @@ template <class T>
 std::optional<Vec2<T>> change_of_support(const Shape<T>& shape, const Vec2<T>& n, const Vec2<T>& change) {
   if (const auto* disc = shape.template as<Circle<T>>()) return change * (disc->radius() + shape.rounding());
   const auto* ellipse = shape.template as<Ellipse<T>>();
-  if (!ellipse) return {};
-  const Vec2<T>& r = ellipse->radii();
-  const auto scaled = [&](const Vec2<T>& v) { return Vec2<T>{r.x * v.x, r.y * v.y}; };
-  const T h = length(scaled(n));
-  if (!(h > T(0))) return {};
-  const Vec2<T> gradient = scaled(scaled(n)) / h;
-  return (scaled(scaled(change)) - gradient * dot(gradient, change)) / h + change * shape.rounding();
+  const auto own = ellipse ? change_on_ellipsoid(ellipse->radii(), n, change) : std::nullopt;
+  return own ? std::optional(*own + change * shape.rounding()) : std::nullopt;
 }
 
 }  // namespace plane

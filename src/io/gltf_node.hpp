@@ -48,7 +48,7 @@ inline Affine node_map(const JsonValue& node) {
   Affine map;
   for (std::size_t r = 0; r < 3; ++r) map.linear.row[r] = {at(0, r), at(1, r), at(2, r)};
   map.translation = {at(3, 0), at(3, 1), at(3, 2)};
-  // Of a matrix that mirrors the X axis has the sign, as in the usual decomposition.
+  // The X axis has the sign of a matrix that mirrors, as in the usual decomposition.
   if (determinant(map.linear) < 0) map.signs.x = -1;
   return map;
 }

@@ -242,7 +242,7 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const V
   const bool touching = first && first->impact.t == 0,
              parts = a.template as<Compound<T>>() || b.template as<Compound<T>>();
   if ((has_solid_mesh(a) || has_solid_mesh(b)) && (!touching || parts)) {
-    // Of a compound that touches a solid from without, a child may be deeper inside.
+    // A child of a compound that touches a solid from without may be deeper inside.
     const auto hit = hit_inside(a, pose_a, velocity_a, b, pose_b, velocity_b, options);
     if (hit && !(touching && hit->depth <= static_cast<T>(-first->impact.distance))) return hit;
   }

@@ -92,7 +92,8 @@ TEST(BesideSurface, AnEdgeOverAnEdgeIsNear) {
     }
 }
 
-/// A compound of which one ball is inside a solid and another one touches it: `cast` tells the depth that `distance` has.
+/// A compound of which one ball is inside a solid and another one touches it: `cast` tells the depth that `distance`
+/// has.
 TEST(BesideSurface, ACastFromInsideHasTheDepthOfTheDeepestChild) {
   const Shape<double> solid = cube_mesh(2.0, true);
   const Shape<double> balls = Compound<double>({{Sphere<double>(0.5), {}}, {Sphere<double>(0.5), {{0, 2.4, 0}, {}}}});

@@ -96,8 +96,8 @@ TEST(ContinuousTumbling, GivesNoEnergy) {
   }
 }
 
-/// What comes down on a corner at 60 or 100 m/s turns by several radians in a step: nothing goes through the ground, nor
-/// stays in it.
+/// What comes down on a corner at 60 or 100 m/s turns by several radians in a step: nothing goes through the ground,
+/// nor stays in it.
 TEST(ContinuousTumbling, WhatTurnsFastStaysAboveTheGround) {
   std::mt19937 random(3);
   std::normal_distribution<double> number;

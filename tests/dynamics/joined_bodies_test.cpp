@@ -78,8 +78,8 @@ TEST(JoinedBodies, ADriveStaysWithinTheBounds) {
   EXPECT_NEAR(2 * std::atan2(at.x, at.w), 3, 0.01);
 }
 
-/// Two thin links on a hinge that fold at `rate`, in free space or onto a floor: energy never grows. A joint that pushed
-/// by the inertia of the step's beginning, or along rows of frames that agree, took its own error for more.
+/// Two thin links on a hinge that fold at `rate`, in free space or onto a floor: energy never grows. A joint that
+/// pushed by the inertia of the step's beginning, or along rows of frames that agree, took its own error for more.
 void expect_links_to_gain_nothing(double rate, bool falls) {
   Simulation<double> s(SimulationSettings<double>{{0, falls ? -gravity : 0, 0}});
   Body<double> floor{HalfSpace<double>()};

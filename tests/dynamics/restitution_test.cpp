@@ -63,8 +63,8 @@ TEST(Restitution, NothingIsBrakedBeforeItIsStruck) {
     }
 }
 
-/// Two balls of one mass that meet somewhere within a step, without friction, however fast they spin: what they exchange
-/// is along the line of their centres at that moment, by the root of |d + v t| = 2 r.
+/// Two balls of one mass that meet somewhere within a step, without friction, however fast they spin: what they
+/// exchange is along the line of their centres at that moment, by the root of |d + v t| = 2 r.
 TEST(Restitution, SpinningBallsExchangeWhatIsAlongTheirCentres) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);

@@ -409,8 +409,8 @@ TYPED_TEST(SimulationOf, WhatStandsOnATurntableStays) {
   }
 }
 
-/// What rocks on a round side is righted by a force at its point of contact: late by half a step, it rocked an ellipsoid
-/// up from a tenth of a radian to six, and a ball with its weight below the middle over.
+/// What rocks on a round side is righted by a force at its point of contact: late by half a step, it rocked an
+/// ellipsoid up from a tenth of a radian to six, and a ball with its weight below the middle over.
 TYPED_TEST(SimulationOf, WhatRocksOnARoundSideComesToRest) {
   using T = TypeParam;
   for (const bool ball : {false, true})

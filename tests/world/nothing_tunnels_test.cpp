@@ -259,9 +259,9 @@ TYPED_TEST(NothingTunnels, AndNothingIsHeldBySeams) {
   EXPECT_EQ(held, 0);
 }
 
-/// A rim ends a surface wherever it is met, whatever lies beyond the other sides of its triangle: bodies that come at open
-/// meshes of two triangles are stopped, though they may slide. One of 2,000 still gets in, over a corner in which a rim
-/// and a seam end.
+/// A rim ends a surface wherever it is met, whatever lies beyond the other sides of its triangle: bodies that come at
+/// open meshes of two triangles are stopped, though they may slide. One of 2,000 still gets in, over a corner in which
+/// a rim and a seam end.
 TYPED_TEST(NothingTunnels, NotEvenAtTheRims) {
   using T = TypeParam;
   std::mt19937 random(7);

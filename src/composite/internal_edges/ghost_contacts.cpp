@@ -377,8 +377,8 @@ std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const Leaf
 }
 
 /// Whether points that were laid along a corrected normal are deeper than the pieces are in each other, and in their
-/// middle the other shape does not reach up to the piece: it lies beside that then, and only goes on below its plane, as
-/// the base of a cone beside a sheet does.
+/// middle the other shape does not reach up to the piece: it lies beside that then, and only goes on below its plane,
+/// as the base of a cone beside a sheet does.
 template <class T>
 bool is_beside(const LeafInContext<T>& self, const LeafInContext<T>& other, const SeenContact<T>& contact,
                const Manifold<T>& laid) {
