@@ -1003,6 +1003,10 @@ export interface StepReport {
 /** The state of a simulation, to go back to. */
 export class State extends Handle {
   private constructor();
+  /** The state whose `bytes` these are; throws InvalidValue for others, and for those of the other scalar. */
+  static fromBytes(bytes: Uint8Array | ArrayBuffer): State;
+  /** The state as bytes, for a file or another computer; throws InvalidValue for one of a captured simulation. */
+  bytes(): Uint8Array;
 }
 export class Simulation extends Handle {
   constructor(settings?: SimulationSettings);
@@ -1373,6 +1377,8 @@ export declare namespace plane {
   /** The state of a simulation, to go back to. */
   class State extends Handle {
     private constructor();
+    static fromBytes(bytes: Uint8Array | ArrayBuffer): State;
+    bytes(): Uint8Array;
   }
   class Simulation extends Handle {
     constructor(settings?: SimulationSettings);

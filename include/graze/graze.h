@@ -1345,6 +1345,12 @@ GRAZE_C_API GrazeStatus graze_simulation_save_d(const GrazeSimulationd *simulati
 // Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and removed
 // in the same order; an error where there are others now.
 GRAZE_C_API GrazeStatus graze_simulation_restore_d(GrazeSimulationd *simulation, const GrazeStated *state);
+// Hands the bytes of a state to `write` at one call, for a file or another computer. An error for a state of a captured
+// simulation, and where `write` returns false.
+GRAZE_C_API GrazeStatus graze_state_bytes_d(const GrazeStated *state, GrazeWriteFunction write, void *user);
+// The state whose bytes these are, in a handle of its own. An error for bytes that are no state of this scalar, or were
+// changed.
+GRAZE_C_API GrazeStatus graze_state_read_d(const void *bytes, size_t size, GrazeStated **state);
 GRAZE_C_API void graze_state_destroy_d(GrazeStated *state);
 
 // The plane (graze/plane/) --------------------------------------------------------------------------------------------
@@ -1987,6 +1993,9 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_save_d(const GrazePlaneSimulation
 // in the same order; an error where there are others now.
 GRAZE_C_API GrazeStatus graze_plane_simulation_restore_d(GrazePlaneSimulationd *simulation,
                                                          const GrazePlaneStated *state);
+// The bytes of a state and back, as in space.
+GRAZE_C_API GrazeStatus graze_plane_state_bytes_d(const GrazePlaneStated *state, GrazeWriteFunction write, void *user);
+GRAZE_C_API GrazeStatus graze_plane_state_read_d(const void *bytes, size_t size, GrazePlaneStated **state);
 GRAZE_C_API void graze_plane_state_destroy_d(GrazePlaneStated *state);
 
 // Debug draw (graze/draw.hpp) -----------------------------------------------------------------------------------------
@@ -2742,6 +2751,8 @@ GRAZE_C_API GrazeStatus graze_simulation_world_f(const GrazeSimulationf *simulat
 GRAZE_C_API GrazeStatus graze_simulation_state_hash_f(const GrazeSimulationf *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_simulation_save_f(const GrazeSimulationf *simulation, GrazeStatef **state);
 GRAZE_C_API GrazeStatus graze_simulation_restore_f(GrazeSimulationf *simulation, const GrazeStatef *state);
+GRAZE_C_API GrazeStatus graze_state_bytes_f(const GrazeStatef *state, GrazeWriteFunction write, void *user);
+GRAZE_C_API GrazeStatus graze_state_read_f(const void *bytes, size_t size, GrazeStatef **state);
 GRAZE_C_API void graze_state_destroy_f(GrazeStatef *state);
 
 typedef struct GrazeVec2f {
@@ -3310,6 +3321,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_save_f(const GrazePlaneSimulation
                                                       GrazePlaneStatef **state);
 GRAZE_C_API GrazeStatus graze_plane_simulation_restore_f(GrazePlaneSimulationf *simulation,
                                                          const GrazePlaneStatef *state);
+GRAZE_C_API GrazeStatus graze_plane_state_bytes_f(const GrazePlaneStatef *state, GrazeWriteFunction write, void *user);
+GRAZE_C_API GrazeStatus graze_plane_state_read_f(const void *bytes, size_t size, GrazePlaneStatef **state);
 GRAZE_C_API void graze_plane_state_destroy_f(GrazePlaneStatef *state);
 
 GRAZE_C_API GrazeStatus graze_shape_tessellate_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeVec3f center,

@@ -49,6 +49,7 @@
 #include "graze/shape/support_trace.hpp"
 #include "graze/simulation.hpp"
 #include "graze/slide.hpp"
+#include "graze/state_bytes.hpp"
 #include "graze/swept.hpp"
 #include "graze/tessellate.hpp"
 #include "graze/trace.hpp"

@@ -60,7 +60,15 @@ struct StepReport {
 template <class T, class Space>
 struct SimulationParts;
 
-/// A saved state, for `restore`: a value that may be kept, copied and thrown away, and outlives its simulation.
+template <class T, class Space>
+class State;
+template <class T, class Space>
+std::string state_bytes(const State<T, Space>& state);
+template <class T, class Space>
+State<T, Space> read_state(std::string_view bytes);
+
+/// A saved state, for `restore`: a value that may be kept, copied and thrown away, and outlives its simulation. With
+/// `graze/state_bytes.hpp` it goes into a file and back.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API State {
  public:
@@ -74,6 +82,8 @@ class GRAZE_API State {
  private:
   template <class, class>
   friend class Simulation;
+  friend std::string graze::state_bytes<T, Space>(const State&);
+  friend State graze::read_state<T, Space>(std::string_view);
   struct Kept;
   std::unique_ptr<Kept> kept_;
 };

@@ -140,8 +140,12 @@ void fields(Io& io, plane::Vec2<T>& v) {
   io(v.x, v.y);
 }
 template <class Io, class T>
+void fields(Io& io, plane::Rot2<T>& rotation) {
+  io(rotation.cosine, rotation.sine);
+}
+template <class Io, class T>
 void fields(Io& io, plane::Pose2<T>& pose) {
-  io(pose.translation, pose.rotation.cosine, pose.rotation.sine);
+  io(pose.translation, pose.rotation);
 }
 template <class Io, class T>
 void fields(Io& io, plane::Velocity<T>& velocity) {

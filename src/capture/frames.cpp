@@ -14,17 +14,17 @@ namespace {
 /// has changed the rest too.
 constexpr std::string_view magic{"graze capture\r\n\n", 16};
 
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t value = 0xcbf29ce484222325u;
-  for (const char byte : bytes) value = (value ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  return value;
-}
-
 void put(const CaptureSink& sink, std::string_view bytes) {
   if (!sink(bytes)) throw InvalidValue("capture", "", "the stream takes no more bytes");
 }
 
 }  // namespace
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t value = 0xcbf29ce484222325u;
+  for (const char byte : bytes) value = (value ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  return value;
+}
 
 const char* name_of(Call call) {
   constexpr std::array<const char*, call_count()> names{"shape",

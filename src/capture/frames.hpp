@@ -76,6 +76,9 @@ Outcome outcome_of(const World<T, Space>& world);
 /// The first part that differs, as "other poses"; null for equal ones.
 const char* difference(const Outcome& then, const Outcome& now);
 
+/// FNV-1a of the bytes: by it a changed block is told from the one that was written.
+std::uint64_t checksum(std::string_view bytes);
+
 /// A sink that writes each frame to the stream and flushes it; none for no stream.
 CaptureSink sink_into(std::ostream* out);
 /// Write the head before all frames, and a frame. Throw `InvalidValue` when the sink takes no more.

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-#include "dynamics/simulation_parts.hpp"
+#include "dynamics/kept_state.hpp"
 
 namespace graze {
 
@@ -35,8 +35,10 @@ void push(SimulatedBody<T, Space>& body, const typename Space::Vec& linear, cons
 
 bool power_of_two(int n) { return n > 0 && n <= 1024 && (n & (n - 1)) == 0; }
 
+}  // namespace
+
 template <class T, class Space>
-void check_settings(const SimulationSettings<T, Space>& s) {
+void check(const SimulationSettings<T, Space>& s) {
   checked_vector(s.gravity, "gravity");
   if (!power_of_two(s.sub_steps)) validate::fail("sub_steps", "a power of two from 1 to 1024", s.sub_steps);
   if (!power_of_two(s.most_sub_steps) || s.most_sub_steps < s.sub_steps)
@@ -44,8 +46,6 @@ void check_settings(const SimulationSettings<T, Space>& s) {
   check_number(s.longest_step, "longest_step", "a finite number > 0",
                s.longest_step > T(0) && std::isfinite(s.longest_step));
 }
-
-}  // namespace
 
 template <class T, class Space>
 std::uint32_t SimulationParts<T, Space>::checked(BodyId id) const {
@@ -122,7 +122,7 @@ void SimulationParts<T, Space>::mute() {
 
 template <class T, class Space>
 Simulation<T, Space>::Simulation(const SimulationSettings<T, Space>& settings, Executor* executor) {
-  check_settings(settings);
+  check(settings);
   parts_ = std::make_unique<SimulationParts<T, Space>>(settings, executor);
 }
 template <class T, class Space>

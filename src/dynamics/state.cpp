@@ -6,24 +6,9 @@
 #include <string>
 
 #include "dynamics/bit_hash.hpp"
-#include "dynamics/simulation_parts.hpp"
+#include "dynamics/kept_state.hpp"
 
 namespace graze {
-
-template <class T, class Space>
-struct State<T, Space>::Kept {
-  std::vector<SimulatedBody<T, Space>> bodies;
-  std::vector<JointPlace<T, Space>> joints;
-  std::vector<BodyId> ids;
-  std::vector<std::size_t> kinds;  ///< of the shapes, by index of body
-  std::vector<typename Space::Pose> poses, found_at;
-  std::vector<typename Space::Vec> linear;
-  std::vector<typename Space::Turning> angular;
-  std::vector<typename Space::Vec> impulses;  ///< in the order of pairs
-  SimulationSettings<T, Space> settings;
-  StepReport<T, Space> last;
-  T last_step{}, usual_step{};
-};
 
 template <class T, class Space>
 State<T, Space>::State() = default;
@@ -46,7 +31,6 @@ namespace {
 template <class T, class Space>
 std::vector<BodyId> ids_of(const World<T, Space>& world) {
   std::vector<BodyId> ids;
-  std::vector<std::size_t> kinds;  ///< of the shapes, by index of body
   for (std::uint32_t i = 0; i < world.bodies().size(); ++i)
     if (world.bodies().alive()[i] != 0) ids.push_back(world.bodies().id(i));
   return ids;
@@ -61,9 +45,9 @@ void each_point(ContactArrays<T, Space>& contacts, F&& f) {
 }
 
 template <class T, class Space>
-std::vector<std::size_t> kinds_of(const World<T, Space>& world) {
-  std::vector<std::size_t> kinds;
-  for (const auto& shape : world.bodies().shapes()) kinds.push_back(shape.index());
+std::vector<std::uint32_t> kinds_of(const World<T, Space>& world) {
+  std::vector<std::uint32_t> kinds;
+  for (const auto& shape : world.bodies().shapes()) kinds.push_back(static_cast<std::uint32_t>(shape.index()));
   return kinds;
 }
 
@@ -121,8 +105,9 @@ void Simulation<T, Space>::restore(const State<T, Space>& state) {
   SimulationParts<T, Space>& p = *parts_;
   if (!state.kept_) throw InvalidValue("state", "a state that a simulation saved", "an empty one");
   const auto& kept = *state.kept_;
-  if (kept.ids != ids_of(p.world)) throw InvalidValue("state", "one of the bodies that there are now", "others");
-  const std::vector<std::size_t> kinds = kinds_of(p.world);
+  if (kept.ids != ids_of(p.world) || kept.bodies.size() != p.bodies.size())
+    throw InvalidValue("state", "one of the bodies that there are now", "others");
+  const std::vector<std::uint32_t> kinds = kinds_of(p.world);
   for (const BodyId id : kept.ids)
     if (kept.kinds[id.index] != kinds[id.index] || !alike(kept.bodies[id.index], p.bodies[id.index]))
       throw InvalidValue("state", "one of bodies like those that there are now",

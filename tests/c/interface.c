@@ -26,6 +26,19 @@ static void expect_refused(GrazeStatus status, const char* message, int line) {
 
 static bool is_near(double a, double b) { return fabs(a - b) <= 1e-9; }
 
+// Bytes that the library wrote.
+typedef struct Bytes {
+  char kept[8192];
+  size_t size;
+} Bytes;
+static bool keep_bytes(void* user, const void* bytes, size_t size) {
+  Bytes* to = user;
+  if (size > sizeof to->kept) return false;
+  memcpy(to->kept, bytes, size);
+  to->size = size;
+  return true;
+}
+
 static void test_version(void) {
   EXPECT(graze_version() == GRAZE_VERSION);
   EXPECT(strcmp(graze_version_string(), GRAZE_VERSION_STRING) == 0);
@@ -347,7 +360,19 @@ static void test_simulation(void) {
   for (int i = 0; i < 30; ++i) OK(graze_simulation_step_d(simulation, 1.0 / 60));
   OK(graze_simulation_pose_d(simulation, id, &again));
   EXPECT(memcmp(&first, &again, sizeof first) == 0);
+
+  static Bytes bytes;
+  GrazeStated* read;
+  OK(graze_state_bytes_d(state, keep_bytes, &bytes));
   graze_state_destroy_d(state);
+  OK(graze_state_read_d(bytes.kept, bytes.size, &read));
+  OK(graze_simulation_restore_d(simulation, read));
+  graze_state_destroy_d(read);
+  for (int i = 0; i < 30; ++i) OK(graze_simulation_step_d(simulation, 1.0 / 60));
+  OK(graze_simulation_pose_d(simulation, id, &again));
+  EXPECT(memcmp(&first, &again, sizeof first) == 0);
+  EXPECT(graze_state_read_d(bytes.kept, bytes.size - 1, &read) == GRAZE_INVALID_VALUE);
+  EXPECT(graze_state_read_d(NULL, 3, &read) == GRAZE_INVALID_VALUE);
 
   const GrazeWorldd* world;
   OK(graze_simulation_world_d(simulation, &world));

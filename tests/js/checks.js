@@ -900,6 +900,13 @@ export const checks = [
       close(simulation.pose(crate).translation, [0, 2, 0], 0, "restored");
       for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
       equal(simulation.pose(crate), end, "the same bits again");
+      const bytes = start.bytes();
+      simulation.restore(entry.State.fromBytes(bytes));
+      for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
+      equal(simulation.pose(crate), end, "the same bits from bytes");
+      throws(() => entry.State.fromBytes(bytes.slice(1)), "state: expected the bytes of a state, got other bytes", InvalidValue);
+      throws(() => entry.plane.State.fromBytes(bytes), 
+        "state: expected a state of version 1 of this precision and dimension, got another one", InvalidValue);
       simulation.applyImpulse(crate, [3, 0, 0], end.translation);
       close(simulation.motion(crate).linear[0], 1, 1e-5, "pushed");
       simulation.applyAngularImpulse(crate, [0, 0.25, 0]);
@@ -1068,7 +1075,7 @@ export const checks = [
       equal(simulation.asleep(crate), true, "asleep");
       close(simulation.report().potentialEnergy, 3 * 10 * 0.5, 0.5, "energy");
       const end = simulation.pose(crate);
-      simulation.restore(start);
+      simulation.restore(plane.State.fromBytes(start.bytes()));
       for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
       equal(simulation.pose(crate), end, "the same bits again");
 

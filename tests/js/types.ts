@@ -218,7 +218,7 @@ const limit: JointLimit = { space: "linear", axes: ["x"], min: 0, max: 3 };
 const drive: JointDrive = { space: "linear", axis: "x", velocityTarget: 1 };
 const joint: Joint = { a: given(first, "a"), b: given(second, "b"), limits: [limit], drives: [drive] };
 const id: JointId = simulation.addJoint(joint);
-const state: State = kept(simulation.save());
+const state: State = kept(State.fromBytes(kept(simulation.save()).bytes()));
 simulation.step(1 / 60);
 const report: StepReport = simulation.report();
 expect(report.awake === 2 && simulation.jointImpulses(id).length > 0, "a step");
@@ -316,7 +316,7 @@ const falling: BodyId = planeSimulation.add(planeBody, planeDynamics, planeMater
 const hanging: BodyId = planeSimulation.add({ shape: disk, fixed: true });
 const planeJoint: plane.Joint = { a: hanging, b: falling, kind: "ball" };
 planeSimulation.addJoint(planeJoint);
-const planeState: plane.State = kept(planeSimulation.save());
+const planeState: plane.State = kept(plane.State.fromBytes(kept(planeSimulation.save()).bytes()));
 planeSimulation.step(1 / 60);
 const planeReport: plane.StepReport = planeSimulation.report();
 const planeKnown: plane.Joint = planeSimulation.joint(given(planeSimulation.joints()[0], "a joint"));

@@ -1,6 +1,7 @@
 """Simulations of the plane against closed forms, space and themselves."""
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -132,7 +133,7 @@ def test_a_saved_state_brings_back_the_same_bits():
     for i in range(10):
         simulation.add(plane.Polygon([(0, 0), (1, 0), (0.5, 1)]), (0.1 * i, 1 + 1.2 * i))
     run(simulation, 30)
-    state = simulation.save()
+    state = pickle.loads(pickle.dumps(simulation.save()))
     run(simulation, 30)
     once = simulation.poses
     simulation.restore(state)

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import pickle
 import threading
 
 import numpy as np
@@ -219,8 +220,8 @@ def test_a_box_comes_to_rest_and_a_state_comes_back():
     simulation.add(graze.HalfSpace(), fixed=True)
     box = simulation.add(graze.Box((1, 1, 1)), ((0, 2, 0), (0, 0, 0.1, 1)))
     saved, runs = simulation.save(), []
-    for _ in range(2):
-        simulation.restore(saved)
+    for state in (saved, pickle.loads(pickle.dumps(saved))):
+        simulation.restore(state)
         for _ in range(240):
             simulation.step(1 / 60)
         runs.append(simulation.poses)

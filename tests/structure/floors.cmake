@@ -10,7 +10,7 @@ set(floors
     "^src/query/|^include/graze/(query|feature_corners|cast|raycast|typed_query|batch|batch_raycast|contact_motion)\\.hpp$"
     "^src/world/|^include/graze/(world[./]|slide\\.hpp$|plane/(reduce|slide|space|world)\\.hpp$)"
     "^src/dynamics/|^include/graze/((plane/)?(free_motion|blows|dynamics|joint|rigid|simulation)|impulse|mass|material|plane/contact_motion)\\.hpp$"
-    "^src/(draw|capture)/|^include/graze/(draw|tessellate|capture|plane/capture)\\.hpp$"
+    "^src/(draw|capture)/|^include/graze/(draw|tessellate|capture|state_bytes|plane/capture)\\.hpp$"
     "^src/(tbb|io|mpi)/|^include/graze/(io/|mpi/|tbb_executor\\.hpp$)"
     "^include/graze/graze\\.hpp$")
 

@@ -43,25 +43,38 @@ export function created(core, name, settings, capture) {
   }
 }
 
+/** The place of a copy of the caller's bytes in the module's memory, and their number. */
+export function copied(core, bytes) {
+  const from = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
+  const place = core.room(Math.max(1, from.length));
+  new Uint8Array(core.memory().buffer).set(from, place);
+  return [place, from.length];
+}
+
+/** The bytes that the module writes while `write(function, key)` calls it with these two. */
+export function written(core, write) {
+  let all = null;
+  const key = core.keep((bytes) => (all = bytes));
+  try {
+    write(core.exports.graze_js_write(), key);
+  } finally {
+    core.callbacks.delete(key);
+  }
+  return all;
+}
+
 export function replays(core, layout, worlds, planeWorlds) {
-  /** The place of a copy of the caller's bytes, and their number. */
-  const copied = (bytes) => {
-    const from = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
-    const place = core.room(Math.max(1, from.length));
-    new Uint8Array(core.memory().buffer).set(from, place);
-    return [place, from.length];
-  };
   return {
     captureHead: (bytes) =>
       core.frame(() => {
         const head = core.room(layout.captureHead.size);
-        core.check(core.exports.graze_capture_head(...copied(bytes), head));
+        core.check(core.exports.graze_capture_head(...copied(core, bytes), head));
         const { simulation, plane, single } = layout.captureHead.read(head);
         return { simulation, plane, scalar: single ? "float" : "double" };
       }),
     replay: (bytes, each) =>
       core.frame(() => {
-        const from = copied(bytes);
+        const from = copied(core, bytes);
         let pointer = 0;
         const there = () => {
           if (pointer === 0) throw new Error("graze: the world of a replay is there until its function returns");

@@ -1,6 +1,6 @@
 // Bodies that fall, collide, rest and are tied together; and the response to one blow.
 
-import { created } from "./capture.js";
+import { copied, created, written } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
@@ -83,6 +83,14 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     constructor(pointer) {
       if (typeof pointer !== "number") throw new TypeError("graze: a State is made by Simulation.save");
       super(pointer, (p) => core.exports[`graze_${prefix}state_destroy_${core.scalar}`](p));
+    }
+    static fromBytes(bytes) {
+      const read = (p) => core.call(`${prefix}state_read`, ...copied(core, bytes), p);
+      return new State(core.frame(() => answered(layout.u32, read)));
+    }
+    bytes() {
+      const from = Handle.pointer(this, "state", State);
+      return core.frame(() => written(core, (write, key) => core.call(`${prefix}state_bytes`, from, write, key)));
     }
   }
 

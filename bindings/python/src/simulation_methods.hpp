@@ -6,6 +6,7 @@
 
 #include "answers.hpp"
 #include "draw.hpp"
+#include "graze/state_bytes.hpp"
 #include "plain_values.hpp"
 #include "whole.hpp"
 #include "world.hpp"
@@ -68,7 +69,9 @@ class SimulationMethods {
   static void add(py::module_& m, const char* doc) {
     using Own = OwnSimulation<Words>;
     add_material(m);
-    py::class_<State>(m, "State", "A state of a simulation, to go back to. In memory alone: a State is not pickled.");
+    py::class_<State>(m, "State", "A state of a simulation, to go back to; pickled, it goes on in another process.")
+        .def(py::pickle([](const State& state) { return py::bytes(state_bytes(state)); },
+                        [](const py::bytes& bytes) { return read_state<double, Space>(std::string_view(bytes)); }));
     py::class_<Own> simulation(m, "Simulation", doc);
     add_constructor(simulation);
     simulation

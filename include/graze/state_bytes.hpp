@@ -1,0 +1,27 @@
+// Saved states as bytes: for a game that is saved to a file, and for a state that is sent to another computer.
+//
+// Guarantee: a state that was read back restores to the same bits as the one that was written, on every processor.
+// Whatever bytes are read, memory stays in proportion to them, and what comes out is a state with finite numbers in it,
+// or an `InvalidValue` that says what is wrong with them; `Simulation::restore` then refuses the state of other bodies
+// as it refuses any. Bytes of this version of the format, 1, are read by all later versions of the library that have it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "graze/plane/simulation.hpp"
+#include "graze/simulation.hpp"
+
+namespace graze {
+
+/// The bytes of a state, some 700 for a body and 25 for a point of contact in double precision. Throws `InvalidValue`
+/// for an empty state.
+template <class T, class Space>
+GRAZE_API std::string state_bytes(const State<T, Space>& state);
+
+/// The state that `state_bytes` wrote. Throws `InvalidValue` for other bytes: of another version, of another precision
+/// or dimension, changed, cut, or longer.
+template <class T, class Space = graze::Space<T>>
+GRAZE_API State<T, Space> read_state(std::string_view bytes);
+
+}  // namespace graze

@@ -1,0 +1,194 @@
+#include "graze/state_bytes.hpp"
+
+#include <cmath>
+
+#include "capture/frames.hpp"
+#include "dynamics/kept_state.hpp"
+#include "graze/error.hpp"
+
+namespace graze {
+namespace capture {
+
+// Lists of fields are found by the namespace of the `Io`, which an unnamed one is not.
+
+/// The first bytes of a state. They hold the end of a line in two forms: a transfer that changes these has changed the
+/// rest too.
+constexpr std::string_view state_magic{"graze state\r\n\n", 14};
+constexpr std::uint16_t state_version = 1;
+
+template <class Io, class T>
+void fields(Io& io, FreeBody<T>& body) {
+  io(body.center, body.rotation, body.linear, body.angular_momentum, body.inverse_inertia);
+}
+template <class Io, class T>
+void fields(Io& io, plane::FreeBody<T>& body) {
+  io(body.center, body.rotation, body.linear, body.angular_momentum, body.inverse_inertia);
+}
+template <class Io, class T, class Space>
+void fields(Io& io, BodyMass<T, Space>& mass) {
+  io(mass.mass, mass.inverse_mass, mass.inertia, mass.inverse_inertia, mass.principal);
+}
+template <class Io, class T, class Space>
+void fields(Io& io, SimulatedBody<T, Space>& b) {
+  io(b.free, b.spin, b.mass, b.material, b.gravity_factor, b.linear_damping, b.angular_damping, b.size, b.depth,
+     b.radius, b.force, b.torque, b.rested, b.sub_steps, b.movable, b.moves, b.may_sleep, b.asleep, b.placed);
+}
+template <class Io, class T, class Space>
+void fields(Io& io, JointPlace<T, Space>& place) {
+  JointInPlace<T, Space>& joint = place.in_place;
+  io(joint.joint, joint.a, joint.b, joint.frame_a, joint.frame_b);
+  fields(io, joint.impulses, sizeof(T));
+  io(joint.impulse_step, place.generation, place.alive);
+}
+template <class Io, class T, class Space>
+void fields(Io& io, StepReport<T, Space>& r) {
+  // Counts are of 64 bits in the file, whatever they are in memory.
+  for (std::size_t* count : {&r.awake, &r.islands, &r.contacts, &r.colors, &r.stopped}) {
+    std::uint64_t number = *count;
+    io(number);
+    *count = static_cast<std::size_t>(number);
+  }
+  io(r.most_sub_steps, r.deepest, r.mean_depth, r.residual, r.kinetic_energy, r.potential_energy, r.momentum,
+     r.angular_momentum, r.collide_ms, r.prepare_ms, r.solve_ms, r.continuous_ms, r.whole_ms);
+}
+
+/// The state's fields, in the order of the file.
+template <class Io, class Kept>
+void fields_of_state(Io& io, Kept& kept) {
+  fields(io, kept.bodies, 1);
+  fields(io, kept.joints, 1);
+  fields(io, kept.ids, sizeof(BodyId));
+  fields(io, kept.kinds, sizeof(std::uint32_t));
+  fields(io, kept.poses, 1);
+  fields(io, kept.found_at, 1);
+  fields(io, kept.linear, 1);
+  fields(io, kept.angular, 1);
+  fields(io, kept.impulses, 1);
+  io(kept.settings, kept.last, kept.last_step, kept.usual_step);
+}
+
+/// Looks at all numbers of the values that it is given, as `Writing` and `Reading` do.
+class FiniteNumbers {
+ public:
+  bool all = true;
+
+  template <class... Values>
+  void operator()(Values&... values) {
+    (one(values), ...);
+  }
+
+ private:
+  template <class V>
+  void one(V& value) {
+    if constexpr (std::is_floating_point_v<V>)
+      all = all && std::isfinite(value);
+    else if constexpr (!std::is_integral_v<V> && !std::is_enum_v<V>)
+      fields(*this, value);
+  }
+};
+
+template <class T>
+T square(const Quat<T>& q) {
+  return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+}
+template <class T>
+T square(const plane::Rot2<T>& r) {
+  return r.cosine * r.cosine + r.sine * r.sine;
+}
+/// A rotation has unit length but for roundings, which no run adds up to a thousandth.
+template <class Rotation>
+bool is_unit(const Rotation& rotation) {
+  using T = decltype(square(rotation));
+  return std::abs(square(rotation) - T(1)) < T(1e-3);
+}
+template <class Pose>
+bool is_sound(const Pose& pose) {
+  return is_accepted(pose.translation) && is_unit(pose.rotation);
+}
+template <class T, class Space>
+bool is_sound(SimulatedBody<T, Space>& b) {
+  FiniteNumbers finite;
+  finite(b.free, b.spin, b.force, b.torque, b.mass.principal, b.rested);
+  return finite.all && is_accepted(b.free.center) && is_unit(b.free.rotation) && is_unit(b.mass.principal.rotation) &&
+         is_accepted(angular_velocity(b.free)) && b.depth >= 0 && b.rested >= 0 && b.sub_steps >= 0 &&
+         b.sub_steps <= 1024;
+}
+
+/// Throws `Damaged` for a state that no simulation was in, and `InvalidValue` for settings and materials that are none.
+template <class Kept>
+void check_state(Kept& kept) {
+  const std::size_t count = kept.bodies.size();
+  for (const std::size_t other :
+       {kept.kinds.size(), kept.poses.size(), kept.found_at.size(), kept.linear.size(), kept.angular.size()})
+    if (other != count) throw Damaged{"arrays of different lengths"};
+  std::uint32_t least = 0;
+  for (const BodyId id : kept.ids) {
+    if (id.index < least || id.index >= count) throw Damaged{"bodies that are not in the order of their indices"};
+    least = id.index + 1;
+  }
+  FiniteNumbers finite;
+  for (std::size_t i = 0; i < count; ++i) {
+    check(kept.bodies[i].material);
+    if (!is_sound(kept.bodies[i]) || !is_sound(kept.poses[i]) || !is_sound(kept.found_at[i]) ||
+        !is_accepted(kept.linear[i]) || !is_accepted(kept.angular[i]))
+      throw Damaged{"a body with a motion that is none"};
+  }
+  for (auto& impulse : kept.impulses) finite(impulse);
+  for (auto& place : kept.joints)
+    for (auto& impulse : place.in_place.impulses) finite(impulse, place.in_place.impulse_step);
+  finite(kept.last_step, kept.usual_step);
+  if (!finite.all) throw Damaged{"an impulse or a step that is not finite"};
+  check(kept.settings);
+}
+
+template <class T, class Space>
+std::string head() {
+  Writing head;
+  head(state_version, std::is_same_v<Space, plane::Space<T>>, std::is_same_v<T, float>);
+  return std::string(state_magic) + head.bytes;
+}
+
+}  // namespace capture
+
+template <class T, class Space>
+std::string state_bytes(const State<T, Space>& state) {
+  if (!state.kept_) throw InvalidValue("state", "a state that a simulation saved", "an empty one");
+  capture::Writing body, sum;
+  capture::fields_of_state(body, *state.kept_);
+  sum(capture::checksum(body.bytes));
+  return capture::head<T, Space>() + sum.bytes + body.bytes;
+}
+
+template <class T, class Space>
+State<T, Space> read_state(std::string_view bytes) {
+  const std::string head = capture::head<T, Space>();
+  if (!bytes.starts_with(head)) {
+    if (!bytes.starts_with(capture::state_magic)) throw InvalidValue("state", "the bytes of a state", "other bytes");
+    throw InvalidValue("state", "a state of version 1 of this precision and dimension", "another one");
+  }
+  State<T, Space> state;
+  state.kept_ = std::make_unique<typename State<T, Space>::Kept>();
+  try {
+    capture::Reading io(bytes.substr(head.size()));
+    std::uint64_t sum = 0;
+    io(sum);
+    if (sum != capture::checksum(bytes.substr(bytes.size() - io.left()))) throw capture::Damaged{"other bytes"};
+    capture::fields_of_state(io, *state.kept_);
+    if (io.left() > 0) throw capture::Damaged{"more bytes than it has values for"};
+    capture::check_state(*state.kept_);
+  } catch (const capture::Damaged& damaged) {
+    throw InvalidValue("state", "the bytes that state_bytes wrote", damaged.why);
+  }
+  return state;
+}
+
+#define GRAZE_STATE_BYTES(T, Space)                                                                                    \
+  template std::string state_bytes(const State<T, Space>&);                                                            \
+  template State<T, Space> read_state(std::string_view);
+GRAZE_STATE_BYTES(float, Space<float>)
+GRAZE_STATE_BYTES(double, Space<double>)
+GRAZE_STATE_BYTES(float, plane::Space<float>)
+GRAZE_STATE_BYTES(double, plane::Space<double>)
+#undef GRAZE_STATE_BYTES
+
+}  // namespace graze
