@@ -85,7 +85,7 @@ void capture(const AnyScene& scene, const CaptureArguments& options, io::Simulat
              std::filesystem::file_size(options.out));
 }
 
-int run_capture(const CaptureArguments& options) {
+void run_with(const CaptureArguments& options) {
   io::SimulateOptions how;
   how.seconds = options.seconds;
   how.rate = options.rate;
@@ -94,11 +94,25 @@ int run_capture(const CaptureArguments& options) {
   io::frame_count(how);  // refused before anything is read
   if (!options.scene.is_in_plane()) {
     capture<io::SimulationFrame>(options.scene.load(true, true), options, how);
-    return 0;
+    return;
   }
   const io::PlaneScene scene = io::load_plane_scene(options.scene.files[0]);
   if (scene.gravity) how.gravity = {scene.gravity->x, scene.gravity->y, 0};
   capture<io::PlaneSimulationFrame>(scene, options, how);
+}
+
+int run_capture(const CaptureArguments& options) {
+  static constexpr std::pair<const char*, const char*> options_of_values[] = {{"seconds", "--seconds"},
+                                                                              {"rate", "--rate"},
+                                                                              {"dt", "--rate"},
+                                                                              {"sub_steps", "--substeps"},
+                                                                              {"most_sub_steps", "--substeps"}};
+  check_output("--out", options.out, options.scene.files);
+  try {
+    run_with(options);
+  } catch (const InvalidValue& e) {
+    throw_renamed(e, options_of_values);
+  }
   return 0;
 }
 

@@ -22,7 +22,8 @@ struct CastArguments {
 
 Vec3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-Json json_of_hit(const io::Scene& scene, const io::SceneHit& hit) {
+template <class AnyScene>
+Json json_of_hit(const AnyScene& scene, const io::SceneHit& hit) {
   return {{"t", hit.t},
           {"collider", scene.colliders[hit.collider].name},
           {"hits", scene.colliders[hit.other].name},
@@ -34,7 +35,8 @@ Json json_of_hit(const io::Scene& scene, const io::SceneHit& hit) {
           {"certain", hit.status != Status::bounded}};
 }
 
-void print_hits_as_json(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
+template <class AnyScene>
+void print_hits_as_json(const AnyScene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
   Json list = Json::array();
   for (const io::SceneHit& hit : hits) list.push_back(json_of_hit(scene, hit));
   const Json whole{{"scene", scene.source}, {"from", question.from}, {"duration", question.duration},
@@ -42,7 +44,8 @@ void print_hits_as_json(const io::Scene& scene, const io::SceneCast& question, c
   print(whole);
 }
 
-void print_hits_as_table(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
+template <class AnyScene>
+void print_hits_as_table(const AnyScene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
   print_notes(scene.notices);
   if (hits.empty()) {
     fmt::print("{}: {} hits nothing in {:.6g}\n", scene.source, question.from, question.duration);
@@ -59,13 +62,21 @@ void print_hits_as_table(const io::Scene& scene, const io::SceneCast& question, 
                hit.status != Status::bounded ? "" : "  (not certain: may only come near)");
 }
 
-std::vector<io::SceneHit> hits_of(const io::Scene& scene, const io::SceneCast& question) {
+template <class AnyScene>
+std::vector<io::SceneHit> hits_of(const AnyScene& scene, const io::SceneCast& question) {
+  static constexpr std::pair<const char*, const char*> options_of_values[] = {
+      {"motion", "--motion"}, {"spin", "--spin"}, {"about", "--about"}, {"from", "--from"}};
   const Progress progress("casting");
-  return io::cast_scene(scene, question);
+  try {
+    return io::cast_scene(scene, question);
+  } catch (const InvalidValue& e) {
+    throw_renamed(e, options_of_values);
+  }
 }
 
 int run_cast(const CastArguments& options) {
   check_ending("--out", options.out, ".glb");
+  check_output("--out", options.out, options.scene.files);
   const io::Precision precision = precision_of(options.precision);
   io::SceneCast question;
   question.from = options.from;
@@ -74,11 +85,20 @@ int run_cast(const CastArguments& options) {
   if (!options.about.empty()) question.about = vector_of(options.about);
   question.options.separating = options.slide ? Separating::ignored : Separating::hit;
   question.precision = precision;
+  const auto tell = [&](const auto& scene, std::vector<io::SceneHit> hits) {
+    if (!options.all && hits.size() > 1) hits.resize(1);
+    options.json ? print_hits_as_json(scene, question, hits) : print_hits_as_table(scene, question, hits);
+  };
+  if (options.scene.is_in_plane()) {
+    if (!options.out.empty()) throw InvalidValue("--out", "a scene in space", "one of the plane");
+    const io::PlaneScene scene = io::load_plane_scene(options.scene.files[0]);
+    tell(scene, hits_of(scene, question));
+    return 0;
+  }
   const io::Scene scene = options.scene.load();
-  std::vector<io::SceneHit> hits = hits_of(scene, question);
+  const std::vector<io::SceneHit> hits = hits_of(scene, question);
   if (!options.out.empty()) print_notes(io::write_cast(options.out, scene, question, hits, options.scene.only_file()));
-  if (!options.all && hits.size() > 1) hits.resize(1);
-  options.json ? print_hits_as_json(scene, question, hits) : print_hits_as_table(scene, question, hits);
+  tell(scene, hits);
   return 0;
 }
 
@@ -106,11 +126,13 @@ Run add_cast(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--out", options->out,
                       "Write the scene with the way, the impact and the contact drawn in (.glb)");
-  command->footer("Everything else stands still. Triggers and what collision filters forbid are not hit. Exit code: 0, "
-                  "or 2 when a\n"
-                  "file cannot be read or the name is not that of one body.\n\n"
-                  "Example:\n"
-                  "  graze cast scene.glb --from \"crate 1\" --motion 8,0,0 --spin 0,3,0 --slide --out cast.glb");
+  command->footer(
+      "Everything else stands still. Triggers and what collision filters forbid are not hit. Exit code: 0, "
+      "or 2 when a\n"
+      "file cannot be read or the name is not that of one body. In the plane motions have z = 0, spins z alone.\n\n"
+      "Examples:\n"
+      "  graze cast scene.glb --from \"crate 1\" --motion 8,0,0 --spin 0,3,0 --slide --out cast.glb\n"
+      "  graze cast examples/scenes/plane.svg --from ball --motion 300,0,0 --spin 0,0,2");
   return [options] { return run_cast(*options); };
 }
 

@@ -44,4 +44,20 @@ void check_ending(const char* option, const std::string& file, const std::string
   throw InvalidValue(option, "a file name that ends in " + ending, file);
 }
 
+void check_output(const char* option, const std::string& file, std::span<const std::string> inputs) {
+  if (file.empty()) return;
+  for (const std::string& input : inputs) {
+    std::error_code failed;  // of a file that is not there yet
+    if (std::filesystem::is_regular_file(file, failed) && std::filesystem::equivalent(file, input, failed) && !failed)
+      throw InvalidValue(option, "another file than the one that is read", file);
+  }
+}
+
+void throw_renamed(const InvalidValue& e, OptionNames names) {
+  for (const auto& [own, option] : names)
+    if (e.path() == own || e.path().starts_with(std::string(own) + "["))
+      throw InvalidValue(option + e.path().substr(std::string(own).size()), e.expectation(), e.found());
+  throw e;
+}
+
 }  // namespace graze::cli

@@ -114,6 +114,8 @@ int run_collide(const CollideArguments& options) {
   const Vec3d direction = checked_direction(options.direction);
   check_ending("--svg", options.svg, ".svg");
   check_ending("--out", options.out, ".glb");
+  check_output("--svg", options.svg, options.scene.files);
+  check_output("--out", options.out, options.scene.files);
   if (is_in_plane(options)) return run_in_plane(options, how);
   if (options.frames.frames) {
     io::Scene scene = options.scene.load(true);

@@ -1,10 +1,14 @@
 // graze info: the colliders of a scene.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "commands.hpp"
+#include "graze/io/plane_scene.hpp"
 #include "graze/shape/mesh_findings.hpp"
 #include "output.hpp"
 #include "scene_options.hpp"
+#include "shape_words.hpp"
 
 namespace graze::cli {
 
@@ -29,27 +33,38 @@ Json counts_of(const MeshFindings& found) {
           {"tJunctions", found.t_junctions}};
 }
 
-Json collider_as_json(const io::Scene& scene, const io::Collider& c) {
-  const Aabbd box = bounds(c.shape, c.pose);
-  const Quatd& q = c.pose.rotation;
+/// The collider's mesh, if it is one; the plane has none.
+const Mesh<double>* mesh_of(const io::Collider& c) { return c.shape.as<Mesh<double>>(); }
+const Mesh<double>* mesh_of(const io::PlaneCollider&) { return nullptr; }
+
+Json as_json(const Vec3d& v) { return json_of(v); }
+Json as_json(const Quatd& q) { return {q.x, q.y, q.z, q.w}; }
+Json as_json(const plane::Vec2d& v) { return {v.x + 0.0, v.y + 0.0}; }
+/// The angle of a rotation, counter-clockwise, as the protocol has it.
+Json as_json(const plane::Rot2d& r) { return std::atan2(r.sine, r.cosine); }
+
+template <class AnyScene, class AnyCollider>
+Json collider_as_json(const AnyScene& scene, const AnyCollider& c) {
+  const auto box = bounds(c.shape, c.pose);
   Json out{{"name", c.name},
            {"body", scene.bodies[c.body].name},
            {"motion", motion_word(scene.bodies[c.body].type)},
            {"trigger", c.trigger},
            {"shape", told(c.shape)},
-           {"translation", json_of(c.pose.translation)},
-           {"rotation", {q.x, q.y, q.z, q.w}},
-           {"lower", json_of(box.lower)},
-           {"upper", json_of(box.upper)},
+           {"translation", as_json(c.pose.translation)},
+           {"rotation", as_json(c.pose.rotation)},
+           {"lower", as_json(box.lower)},
+           {"upper", as_json(box.upper)},
            {"category", c.filter.category},
            {"mask", c.filter.mask}};
-  if (const auto* mesh = c.shape.as<Mesh<double>>()) out["mesh"] = counts_of(findings(*mesh));
+  if (const Mesh<double>* mesh = mesh_of(c)) out["mesh"] = counts_of(findings(*mesh));
   return out;
 }
 
-void print_colliders_as_json(const io::Scene& scene) {
+template <class AnyScene>
+void print_colliders_as_json(const AnyScene& scene) {
   Json colliders = Json::array();
-  for (const io::Collider& c : scene.colliders) colliders.push_back(collider_as_json(scene, c));
+  for (const auto& c : scene.colliders) colliders.push_back(collider_as_json(scene, c));
   const Json whole{{"scene", scene.source},
                    {"colliders", colliders},
                    {"collisionSystems", scene.collision_systems},
@@ -73,10 +88,11 @@ std::string counts_told(const MeshFindings& found) {
   return out;
 }
 
-void print_meshes(const io::Scene& scene, std::size_t name) {
+template <class AnyScene>
+void print_meshes(const AnyScene& scene, std::size_t name) {
   bool first = true;
-  for (const io::Collider& c : scene.colliders) {
-    const auto* mesh = c.shape.as<Mesh<double>>();
+  for (const auto& c : scene.colliders) {
+    const Mesh<double>* mesh = mesh_of(c);
     if (mesh == nullptr) continue;
     if (first) fmt::print("\nmeshes\n");
     first = false;
@@ -84,21 +100,24 @@ void print_meshes(const io::Scene& scene, std::size_t name) {
   }
 }
 
-void print_colliders_as_table(const io::Scene& scene) {
+std::string place_told(const Vec3d& t) { return fmt::format("{:.4g} {:.4g} {:.4g}", t.x, t.y, t.z); }
+std::string place_told(const plane::Vec2d& t) { return fmt::format("{:.4g} {:.4g}", t.x, t.y); }
+
+template <class AnyScene>
+void print_colliders_as_table(const AnyScene& scene) {
   print_notes(scene.notices);
   fmt::print("{}: {} in {}\n\n", scene.source, counted(scene.colliders.size(), "collider"),
              counted(scene.bodies.size(), "body"));
   std::size_t name = 4, body = 4, shape = 5;
-  for (const io::Collider& c : scene.colliders) {
+  for (const auto& c : scene.colliders) {
     name = std::max(name, c.name.size());
     body = std::max(body, scene.bodies[c.body].name.size());
     shape = std::max(shape, told(c.shape).size());
   }
   fmt::print("{:<{}}  {:<{}}  {:<9}  {:<{}}  {}\n", "name", name, "body", body, "motion", "shape", shape, "at");
-  for (const io::Collider& c : scene.colliders) {
-    const Vec3d& t = c.pose.translation;
-    fmt::print("{:<{}}  {:<{}}  {:<9}  {:<{}}  {:.4g} {:.4g} {:.4g}{}\n", c.name, name, scene.bodies[c.body].name, body,
-               motion_word(scene.bodies[c.body].type), told(c.shape), shape, t.x, t.y, t.z,
+  for (const auto& c : scene.colliders) {
+    fmt::print("{:<{}}  {:<{}}  {:<9}  {:<{}}  {}{}\n", c.name, name, scene.bodies[c.body].name, body,
+               motion_word(scene.bodies[c.body].type), told(c.shape), shape, place_told(c.pose.translation),
                c.trigger ? "  (trigger)" : "");
   }
   print_meshes(scene, name);
@@ -115,10 +134,12 @@ Run add_info(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "List the colliders of a scene");
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "Print as JSON");
-  command->footer("Example:\n  graze info scene.glb");
+  command->footer("Examples:\n  graze info scene.glb\n  graze info examples/scenes/plane.svg");
   return [options] {
-    const io::Scene scene = options->scene.load();
-    options->json ? print_colliders_as_json(scene) : print_colliders_as_table(scene);
+    const auto tell = [&](const auto& scene) {
+      options->json ? print_colliders_as_json(scene) : print_colliders_as_table(scene);
+    };
+    options->scene.is_in_plane() ? tell(io::load_plane_scene(options->scene.files[0])) : tell(options->scene.load());
     return 0;
   };
 }

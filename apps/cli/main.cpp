@@ -30,16 +30,18 @@ std::string names_of_commands(CLI::App& app) {
   return names;
 }
 
-/// Refuses an empty text for any option of a command that is a number or numbers. The parser would take it for zero,
-/// and it is what a variable of the shell has that was never set.
-void refuse_empty_numbers(CLI::App& command) {
-  static const CLI::Validator given(
-      [](const std::string& text) { return text.empty() ? std::string("expected a number, got nothing") : ""; }, "");
-  const auto is_number = [](const CLI::Option* option) {
-    const std::string type = option->get_type_name();
-    return type == "FLOAT" || type == "INT" || type == "UINT";
+/// Refuses an empty text for any option of a command. The parser would take it for zero, the command for an option that
+/// was not given, and it is what a variable of the shell has that was never set.
+void refuse_empty_values(CLI::App& command) {
+  const auto refusing = [](const char* what) {
+    return CLI::Validator([what](const std::string& text) { return text.empty() ? what : std::string(); }, "");
   };
-  for (CLI::Option* option : command.get_options(is_number)) option->check(given);
+  static const CLI::Validator number = refusing("expected a number, got nothing"),
+                              name = refusing("expected a name, got nothing");
+  for (CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_type_size() > 0; })) {
+    const std::string type = option->get_type_name();
+    option->check(type == "FLOAT" || type == "INT" || type == "UINT" ? number : name);
+  }
 }
 
 /// Parses the command line and runs its command; returns the exit code.
@@ -57,7 +59,7 @@ int run(int argc, char** argv) {
   };
   for (CLI::App* command : app.get_subcommands({})) {
     command->add_flag("-q,--quiet", quiet(), "Neither notes nor progress, only the answer and errors");
-    refuse_empty_numbers(*command);
+    refuse_empty_values(*command);
   }
   if (argc < 2) {
     fmt::print("{}", app.help());

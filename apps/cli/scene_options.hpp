@@ -14,7 +14,8 @@ struct SceneOptions {
   std::vector<std::string> files;
   std::string colliders;
 
-  void add_to(CLI::App& command);
+  /// Adds the options; with `or_plane` the help says that a scene of the plane will do.
+  void add_to(CLI::App& command, bool or_plane = true);
   io::LoadOptions load_options(bool animations = false, bool physics_only = false) const;
   /// Loads all files in one scene, each at the origin, with their animations if `animations`. With `physics_only` the
   /// meshes of files that have motions, and no colliders, do not collide. Throws `InvalidValue`.
@@ -24,8 +25,5 @@ struct SceneOptions {
   /// The file that can be drawn into; empty when there are several.
   std::string only_file() const { return files.size() == 1 ? files[0] : ""; }
 };
-
-/// A shape in a table: its name and its numbers.
-std::string told(const Shaped& shape);
 
 }  // namespace graze::cli

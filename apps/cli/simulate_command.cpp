@@ -29,16 +29,10 @@ struct SimulateArguments {
   std::string precision = "double", out, svg, report = "text";
 };
 
-/// Throws an error anew under the name of the option that was given.
-[[noreturn]] void throw_renamed(const InvalidValue& e) {
-  static constexpr std::pair<const char*, const char*> names[] = {
-      {"seconds", "--seconds"},         {"rate", "--rate"},      {"dt", "--rate"}, {"sub_steps", "--substeps"},
-      {"most_sub_steps", "--substeps"}, {"gravity", "--gravity"}};
-  for (const auto& [own, option] : names)
-    if (e.path() == own || e.path().starts_with(std::string(own) + "["))
-      throw InvalidValue(option + e.path().substr(std::string(own).size()), e.expectation(), e.found());
-  throw e;
-}
+/// The values of `io::SimulateOptions` and of a simulation that options hold.
+constexpr std::pair<const char*, const char*> options_of_values[] = {
+    {"seconds", "--seconds"},         {"rate", "--rate"},      {"dt", "--rate"}, {"sub_steps", "--substeps"},
+    {"most_sub_steps", "--substeps"}, {"gravity", "--gravity"}};
 
 /// Plays a scene into a file, if there is one, and prints the summary.
 template <class Frame, class AnyScene, class AnyRecording>
@@ -95,6 +89,8 @@ int run_simulate(const SimulateArguments& options) {
     throw InvalidValue("--threads", "a number from 1 to 1024", std::to_string(options.threads));
   validate::point(how.gravity, "--gravity");
   check_ending("--svg", options.svg, ".svg");
+  check_output("--svg", options.svg, options.scene.files);
+  check_output("--out", options.out, options.scene.files);
   ThreadExecutor executor(static_cast<std::size_t>(options.threads));
   how.executor = &executor;
   try {
@@ -104,7 +100,7 @@ int run_simulate(const SimulateArguments& options) {
     else
       run_in_space(options, how);
   } catch (const InvalidValue& e) {
-    throw_renamed(e);
+    throw_renamed(e, options_of_values);
   }
   return 0;
 }

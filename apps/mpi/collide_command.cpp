@@ -243,7 +243,7 @@ int run_collide(const CollideArguments& options) {
 Run add_collide(CLI::App& app) {
   auto options = std::make_shared<CollideArguments>();
   CLI::App* command = app.add_subcommand("collide", "Find the contacts of a scene that ranks share");
-  options->scene.add_to(*command);
+  options->scene.add_to(*command, false);
   command->add_option("--margin", options->margin, "Also find what is up to this far apart")->capture_default_str();
   command
       ->add_option("--points", options->points,

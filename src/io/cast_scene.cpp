@@ -2,43 +2,80 @@
 
 #include <algorithm>
 
-#include "io/convert.hpp"
+#include "io/scene_collide.hpp"
 
 namespace graze::io {
 
 namespace {
 
-/// A body for a cast: its shape, and the pose whose origin it turns about.
 template <class T>
-Placed<T> turning_about(const Collider& collider, const Mover& mover) {
-  const Shape<T> shape = in_precision<T>(collider.shape);
-  Posed local = collider.pose;
-  local.translation = local.translation - mover.pivot;
-  if (local.translation == Vec3d{}) return {shape, converted<T>(collider.pose)};
-  return {Compound<T>(std::vector<Placed<T>>{{shape, converted<T>(local)}}), {converted<T>(mover.pivot), {}}};
-}
+using InSpace = graze::Space<T>;
+template <class T>
+using InPlane = plane::Space<T>;
 
 template <class T>
-std::vector<SceneHit> cast_in(const Scene& scene, const SceneCast& question, const Mover& mover) {
-  const Velocity<T> velocity{validate::point(converted<T>(question.velocity.linear), "motion"),
-                             validate::point(converted<T>(question.velocity.angular), "spin")};
+Velocity<T> velocity_in(InSpace<T>, const Velocity<double>& v) {
+  return {validate::point(converted<T>(v.linear), "motion"), validate::point(converted<T>(v.angular), "spin")};
+}
+template <class T>
+plane::Velocity<T> velocity_in(InPlane<T>, const Velocity<double>& v) {
+  const Vec3<T> linear = validate::point(converted<T>(v.linear), "motion"),
+                angular = validate::point(converted<T>(v.angular), "spin");
+  if (v.linear.z != 0) validate::fail("motion[2]", "0 in the plane", v.linear.z);
+  for (int i = 0; i < 2; ++i)
+    if (v.angular[i] != 0) validate::fail("spin[" + std::to_string(i) + "]", "0 in the plane", v.angular[i]);
+  return {{linear.x, linear.y}, angular.z};
+}
+
+/// The place of a vector of the question among those of the scene.
+inline Vec3d place_in(InSpace<double>, const Vec3d& v) { return v; }
+inline plane::Vec2d place_in(InPlane<double>, const Vec3d& v) { return {v.x, v.y}; }
+
+bool is_half_space(const Shaped& shape) { return shape.as<HalfSpace<double>>() != nullptr; }
+bool is_half_space(const plane::Shaped& shape) { return shape.as<plane::HalfPlane<double>>() != nullptr; }
+
+template <class T>
+Placed<T> as_child(const Shape<T>& shape, const Posed& local, const Posed& pose) {
+  return {Compound<T>(std::vector<Placed<T>>{{shape, converted<T>(local)}}), converted<T>(pose)};
+}
+template <class T>
+plane::Placed<T> as_child(const plane::Shape<T>& shape, const plane::Pose2d& local, const plane::Pose2d& pose) {
+  return {plane::Compound<T>(std::vector<plane::Placed<T>>{{shape, plane::converted<T>(local)}}),
+          plane::converted<T>(pose)};
+}
+
+/// A body for a cast: its shape, and the pose whose origin it turns about.
+template <class T, template <class> class In, class AnyCollider>
+auto turning_about(const AnyCollider& collider, const Mover& mover) {
+  const auto pivot = place_in(In<double>{}, mover.pivot);
+  auto local = collider.pose;
+  local.translation = local.translation - pivot;
+  return as_child<T>(in_precision<T>(collider.shape), local, {pivot, {}});
+}
+
+template <class T, template <class> class In, class AnyScene>
+std::vector<SceneHit> cast_in(const AnyScene& scene, const SceneCast& question, const Mover& mover) {
+  const auto velocity = velocity_in<T>(In<T>{}, question.velocity);
   const T duration = validate::extent(static_cast<T>(question.duration), "duration");
   validate::point(converted<T>(mover.pivot), "about");
   const bool spins = question.velocity.angular != Vec3d{};
   std::vector<SceneHit> hits;
   for (const std::uint32_t i : mover.colliders) {
-    const Collider& own = scene.colliders[i];
-    if (spins && own.shape.as<HalfSpace<double>>()) throw InvalidValue(own.name, "no spin of a half-space", "one");
-    const Placed<T> body =
-        spins ? turning_about<T>(own, mover) : Placed<T>{in_precision<T>(own.shape), converted<T>(own.pose)};
+    const auto& own = scene.colliders[i];
+    if (spins && is_half_space(own.shape)) throw InvalidValue(own.name, "no spin of a half-space", "one");
+    const bool turns = spins && !(own.pose.translation == place_in(In<double>{}, mover.pivot));
+    const auto still = in_world<T>(scene, own, false);
+    const auto body =
+        turns ? turning_about<T, In>(own, mover) : decltype(turning_about<T, In>(own, mover)){still.shape, still.pose};
     for (std::uint32_t j = 0; j < scene.colliders.size(); ++j) {
-      const Collider& other = scene.colliders[j];
+      const auto& other = scene.colliders[j];
       if (other.trigger || other.body == own.body || !may_collide(own.filter, other.filter)) continue;
-      const auto hit = cast<T>(body.shape, body.pose, velocity, in_precision<T>(other.shape), converted<T>(other.pose),
-                               {}, duration, question.options);
+      const auto there = in_world<T>(scene, other, true);
+      const auto hit =
+          In<T>::cast(body.shape, body.pose, velocity, there.shape, there.pose, {}, duration, question.options);
       if (hit)
-        hits.push_back({static_cast<double>(hit->t), i, j, converted<double>(hit->point),
-                        converted<double>(hit->normal), static_cast<double>(hit->depth), hit->status});
+        hits.push_back({static_cast<double>(hit->t), i, j, in_space(hit->point), in_space(hit->normal),
+                        static_cast<double>(hit->depth), hit->status});
     }
   }
   std::stable_sort(hits.begin(), hits.end(),
@@ -46,18 +83,13 @@ std::vector<SceneHit> cast_in(const Scene& scene, const SceneCast& question, con
   return hits;
 }
 
-}  // namespace
-
-Posed Mover::pose_at(const Posed& pose, const Velocity<double>& velocity, double t) const {
-  return compose(graze::pose_at(Posed{pivot, {}}, velocity, t), Posed{pose.translation - pivot, pose.rotation});
-}
-
-Mover find_mover(const Scene& scene, const SceneCast& question) {
+template <class AnyScene>
+Mover mover_of(const AnyScene& scene, const SceneCast& question) {
   Mover mover;
   const auto bodies = std::count_if(scene.bodies.begin(), scene.bodies.end(),
-                                    [&](const Body& body) { return body.name == question.from; });
+                                    [&](const auto& body) { return body.name == question.from; });
   for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
-    const Collider& c = scene.colliders[i];
+    const auto& c = scene.colliders[i];
     if (bodies > 0 ? scene.bodies[c.body].name == question.from : c.name == question.from) mover.colliders.push_back(i);
   }
   const auto& found = mover.colliders;
@@ -70,14 +102,30 @@ Mover find_mover(const Scene& scene, const SceneCast& question) {
                         mover.colliders.end());
   if (found.empty())
     throw InvalidValue("from", "the name of a body or collider that is no trigger", '"' + question.from + '"');
-  mover.pivot = question.about ? *question.about : scene.colliders[found.front()].pose.translation;
+  mover.pivot = question.about ? *question.about : in_space(scene.colliders[found.front()].pose.translation);
   return mover;
 }
 
+template <template <class> class In, class AnyScene>
+std::vector<SceneHit> cast_any(const AnyScene& scene, const SceneCast& question) {
+  const Mover mover = mover_of(scene, question);
+  return question.precision == Precision::double_precision ? cast_in<double, In>(scene, question, mover)
+                                                           : cast_in<float, In>(scene, question, mover);
+}
+
+}  // namespace
+
+Posed Mover::pose_at(const Posed& pose, const Velocity<double>& velocity, double t) const {
+  return compose(graze::pose_at(Posed{pivot, {}}, velocity, t), Posed{pose.translation - pivot, pose.rotation});
+}
+
+Mover find_mover(const Scene& scene, const SceneCast& question) { return mover_of(scene, question); }
+
 std::vector<SceneHit> cast_scene(const Scene& scene, const SceneCast& question) {
-  const Mover mover = find_mover(scene, question);
-  return question.precision == Precision::double_precision ? cast_in<double>(scene, question, mover)
-                                                           : cast_in<float>(scene, question, mover);
+  return cast_any<InSpace>(scene, question);
+}
+std::vector<SceneHit> cast_scene(const PlaneScene& scene, const SceneCast& question) {
+  return cast_any<InPlane>(scene, question);
 }
 
 }  // namespace graze::io

@@ -12,6 +12,7 @@ namespace graze::cli {
 namespace {
 
 const std::string example = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.gltf";
+const std::string plane_example = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg";
 const std::string questions = std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes.jsonl";
 
 /// A folder of the test's own, removed at its end.
@@ -123,6 +124,21 @@ TEST(Messages, InfoSaysWhatAMeshIsLike) {
   EXPECT_NE(json.output.find("\"tJunctions\""), std::string::npos) << json.output;
 }
 
+TEST(Messages, InfoListsADrawing) {
+  const Result r = run("info " + plane_example);
+  EXPECT_EQ(r.code, 0) << r.output;
+  EXPECT_NE(r.output.find("plane.svg: "), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("circle (radius 21.3)"), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("chain (6 segments)"), std::string::npos) << r.output;
+  const auto as_json = nlohmann::json::parse(run("info --json " + plane_example).output);
+  for (const auto& c : as_json.at("colliders"))
+    if (c.at("name") == "ball") {
+      EXPECT_EQ(c.at("translation"), nlohmann::json::parse("[190.0, -229.0]"));
+      EXPECT_EQ(c.at("rotation"), 0.0);
+      EXPECT_NEAR(c.at("upper").at(1), -229 + 21.3, 1e-9);
+    }
+}
+
 TEST(Messages, OneIsSingular) {
   const Folder folder("singular_test");
   std::ofstream(folder / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -161,6 +177,37 @@ TEST(Messages, PicturesHaveTheirEnding) {
   EXPECT_FALSE(std::filesystem::exists("x.png"));
   // A pipe is no file that somebody opens by its name.
   EXPECT_TRUE(run("explain " + questions + " --svg /dev/stdout").output.starts_with("<svg"));
+}
+
+/// A scene written over itself would be lost.
+TEST(Messages, AnOutputIsNoneOfTheInputs) {
+  const Folder folder("own_input");
+  const std::string scene = folder / "scene.gltf", drawing = folder / "drawing.svg";
+  std::filesystem::copy_file(example, scene);
+  std::filesystem::copy_file(plane_example, drawing);
+  const auto size = std::filesystem::file_size(scene), of_drawing = std::filesystem::file_size(drawing);
+  const std::string here = folder / "./scene.gltf";
+  for (const std::string& command :
+       {"capture " + scene + " --seconds 0.1 --out " + here, "simulate " + scene + " --seconds 0.1 --out " + here,
+        "simulate " + drawing + " --seconds 0.1 --svg " + drawing, "collide " + drawing + " --svg " + drawing}) {
+    const Result r = run(command);
+    EXPECT_EQ(r.code, 2) << command;
+    EXPECT_NE(r.output.find(": expected another file than the one that is read, got "), std::string::npos) << r.output;
+  }
+  EXPECT_EQ(std::filesystem::file_size(scene), size);
+  EXPECT_EQ(std::filesystem::file_size(drawing), of_drawing);
+}
+
+TEST(Messages, OptionsAreNamedAsTheyWereGiven) {
+  const std::string out = " --out /dev/null";
+  EXPECT_NE(run("capture " + example + " --substeps 3" + out).output.find("graze: --substeps: expected"),
+            std::string::npos);
+  EXPECT_NE(run("capture " + example + " --rate 0" + out).output.find("graze: --rate: expected"), std::string::npos);
+  const std::string cast = "cast " + example + " --from ";
+  EXPECT_NE(run(cast + "nobody").output.find("graze: --from: expected"), std::string::npos);
+  EXPECT_NE(run(cast + "\"ball\" --motion nan,0,0").output.find("graze: --"), std::string::npos);
+  EXPECT_NE(run("collide " + example + " --svg ''").output.find("--svg: expected a name, got nothing"),
+            std::string::npos);
 }
 
 TEST(Messages, NumbersOutOfRangeAreToldWithoutTheRangeOfDouble) {

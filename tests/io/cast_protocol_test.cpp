@@ -280,6 +280,34 @@ TEST(CastScene, ABodyOfTwoTurnsAsAWhole) {
   EXPECT_EQ(scene.colliders[hit.other].name, "crate");
 }
 
+/// A drawing's body flies to the wall, and turns about a point beside it.
+TEST(CastScene, InThePlane) {
+  const PlaneScene scene = load_plane_json(
+      R"x({"dimension": 2, "bodies": [
+        {"name": "ball", "motion": "dynamic", "shape": {"type": "circle", "circle": {"radius": 0.5}}},
+        {"name": "wall", "translation": [4, 0], "shape": {"type": "box", "box": {"size": [1, 10]}}}]})x",
+      "test");
+  const auto hits = cast_scene(scene, cast_of("ball", {2, 0, 0}));
+  ASSERT_EQ(hits.size(), 0u);  // 1 unit of time: it comes as far as 2.5
+  SceneCast question = cast_of("ball", {4, 0, 0});
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    question.precision = precision;
+    const auto met = cast_scene(scene, question);
+    ASSERT_EQ(met.size(), 1u);
+    EXPECT_NEAR(met[0].t, 0.75, 1e-6);
+    EXPECT_NEAR(met[0].normal.x, 1, 1e-6);
+    EXPECT_EQ(met[0].point.z, 0);
+    EXPECT_EQ(scene.bodies[scene.colliders[met[0].other].body].name, "wall");
+  }
+  SceneCast around = cast_of("ball", {}, {0, 0, -1});
+  around.about = Vec3d{2, 2.25, 0};
+  around.duration = 6;
+  ASSERT_EQ(cast_scene(scene, around).size(), 1u);  // on a circle of radius 3.01 about a point 1.5 before the wall
+  EXPECT_THROW(cast_scene(scene, cast_of("ball", {1, 0, 1})), InvalidValue);
+  EXPECT_THROW(cast_scene(scene, cast_of("ball", {}, {1, 0, 0})), InvalidValue);
+  EXPECT_THROW(cast_scene(scene, cast_of("nobody", {1, 0, 0})), InvalidValue);
+}
+
 TEST(CastScene, RefusesWhatItCannotDo) {
   Scene scene = room();
   EXPECT_THROW(cast_scene(scene, cast_of("nobody", {1, 0, 0})), InvalidValue);
