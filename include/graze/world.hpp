@@ -48,7 +48,8 @@ class GRAZE_API World {
   using Velocity = typename Space::Velocity;
 
  public:
-  /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
+  /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`, and for pairs
+  /// of at most 0 points.
   explicit World(WorldSettings<T> settings = {}, Executor* executor = nullptr)
       : settings_(std::move(settings)),
         executor_(executor ? executor : &serial_),

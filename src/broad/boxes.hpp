@@ -18,7 +18,8 @@ void check(const Aabb<T>& box) {
   for (std::size_t i = 0; i < 3; ++i)
     if (!(box.lower[i] <= box.upper[i]))
       throw InvalidValue("box", "lower <= upper on every axis",
-                         std::to_string(box.lower[i]) + " and " + std::to_string(box.upper[i]));
+                         validate::number(static_cast<double>(box.lower[i])) + " and " +
+                             validate::number(static_cast<double>(box.upper[i])));
 }
 
 /// Boxes in one array without holes. A place in it stays until something is removed: then the last box takes the hole.

@@ -38,12 +38,12 @@ void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree
                   std::vector<Impact<T, Space>>& out) {
   out.clear();
   std::vector<std::uint32_t> fast;
-  T fastest(0);  // the speed of bodies that are not fast: so far they come towards a sweep
+  T fastest(0);  // the speed of bodies that are not fast, platforms among them: so far they come towards a sweep
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (bodies.alive()[i] == 0) continue;
     if (bodies.fast()[i] != 0)
       fast.push_back(i);
-    else if (bodies.fixed()[i] == 0)
+    else
       fastest = greatest(fastest, speed_of(bodies, i));
   }
   std::vector<std::vector<Impact<T, Space>>> found((fast.size() + fast_bodies_per_task - 1) / fast_bodies_per_task);

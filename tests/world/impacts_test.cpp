@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <tuple>
 
 #include "graze/cast.hpp"
 #include "world/executors.hpp"
@@ -116,6 +117,27 @@ TYPED_TEST(Impacts, AMovedBodyKeepsItsVelocities) {
   EXPECT_EQ(world.bodies().body(id).angular, Vec3<T>{});
   world.update(T(0.1));
   EXPECT_TRUE(world.impacts().empty());
+}
+
+/// A wall that its user moves is fixed and has a velocity: that counts whichever of the two bodies is the fast one.
+TYPED_TEST(Impacts, AFixedBodyComesWithItsVelocity) {
+  using T = TypeParam;
+  for (const auto& [wall_speed, wall_fast, ball_speed, ball_fast, expected] :
+       {std::tuple{T(0), false, T(-1), true, T(1)}, std::tuple{T(10), false, T(-1), true, T(1) / T(11)},
+        std::tuple{T(10), false, T(0), true, T(0.1)}, std::tuple{T(10), true, T(0), false, T(0.1)},
+        std::tuple{T(10), true, T(0), true, T(0.1)}}) {
+    World<T> world;
+    Body<T> wall{Shape<T>(Box<T>({T(1), T(1), T(1)})), {}, {wall_speed, T(0), T(0)}};
+    wall.fixed = true;
+    wall.fast = wall_fast;
+    Body<T> ball{Shape<T>(Sphere<T>(T(0.5))), {{T(2), T(0), T(0)}, {}}, {ball_speed, T(0), T(0)}};
+    ball.fast = ball_fast;
+    world.add(wall);
+    world.add(ball);
+    world.update(T(1.5));
+    ASSERT_EQ(world.impacts().size(), 1u) << wall_speed << ' ' << wall_fast << ' ' << ball_speed;
+    EXPECT_NEAR(world.impacts()[0].hit.t, expected, T(1e-6));
+  }
 }
 
 }  // namespace
