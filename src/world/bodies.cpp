@@ -110,9 +110,42 @@ void BodyArrays<T, Space>::move(BodyId id, const Pose& pose, const Vec& linear, 
   Space::check(linear, angular);
   linear_[index] = linear;
   angular_[index] = angular;
-  if (to == poses_[index]) return;
-  poses_[index] = to;
+  put(index, to);
+}
+
+template <class T, class Space>
+void BodyArrays<T, Space>::put(std::uint32_t index, const Pose& pose) {
+  if (pose == poses_[index]) return;
+  poses_[index] = pose;
   change(index);
+}
+
+template <class T, class Space>
+void BodyArrays<T, Space>::move(std::span<const BodyId> ids, std::span<const Pose> poses, std::span<const Vec> linear,
+                                std::span<const Turning> angular) {
+  const auto check_length = [&](const char* path, std::size_t length) {
+    if (length != ids.size())
+      throw InvalidValue(path, "as many as ids, " + std::to_string(ids.size()), std::to_string(length));
+  };
+  check_length("poses", poses.size());
+  const bool with_velocities = !linear.empty() || !angular.empty();
+  if (with_velocities) {
+    check_length("linear", linear.size());
+    check_length("angular", angular.size());
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    checked(ids[i]);
+    Space::checked(poses[i]);
+    if (with_velocities) Space::check(linear[i], angular[i]);
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::uint32_t index = ids[i].index;
+    if (with_velocities) {
+      linear_[index] = linear[i];
+      angular_[index] = angular[i];
+    }
+    put(index, Space::checked(poses[i]));
+  }
 }
 
 template <class T, class Space>

@@ -64,6 +64,11 @@ class GRAZE_API BodyArrays {
   void move(BodyId id, const Pose& pose);
   /// Puts a body elsewhere, with new velocities.
   void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular);
+  /// Puts many bodies elsewhere, one after the other: each of `ids` to the pose of the same place, with the velocities
+  /// there. Without `linear` and `angular`, both empty, velocities stay as they are. Throws `InvalidValue` for handles,
+  /// poses and velocities that `move` of one refuses, and for spans of other lengths than `ids`; nothing moves then.
+  void move(std::span<const BodyId> ids, std::span<const Pose> poses, std::span<const Vec> linear = {},
+            std::span<const Turning> angular = {});
   void set_shape(BodyId id, Shape shape);            ///< replaces the shape
   void set_filter(BodyId id, const Filter& filter);  ///< replaces the filter
   void set_fast(BodyId id, bool fast);               ///< sets whether it may pass through something within an update
@@ -119,6 +124,7 @@ class GRAZE_API BodyArrays {
  private:
   std::uint32_t checked(BodyId id) const;
   void change(std::uint32_t index);
+  void put(std::uint32_t index, const Pose& pose);
 
   std::optional<T> margin_;
   std::vector<Shape> shapes_;
