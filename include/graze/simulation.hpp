@@ -108,7 +108,9 @@ class GRAZE_API Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Adds a body, whose velocity is that of its pose's origin. Throws `InvalidValue` for what `World::add` refuses, and
-  /// for invalid masses and materials. The shape of a body with mass has to be bounded.
+  /// for invalid masses and materials. The shape of a body with mass has to be bounded. Two bodies that nothing pushes,
+  /// fixed, kinematic or of infinite mass, are no pair of the world. A trigger is pushed by nothing that it touches: it
+  /// keeps its velocity, or, given a mass in `dynamics`, moves by gravity, forces and joints.
   BodyId add(Body<T, Space> body, const Dynamics& dynamics = {}, const Material& material = {});
   /// Adds a joint. Throws `InvalidValue` for bodies that are gone or the same, frames that are not finite, and invalid
   /// limits and drives.

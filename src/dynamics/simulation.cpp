@@ -91,6 +91,7 @@ MotionIn<Space> SimulationParts<T, Space>::motion(std::uint32_t index) const {
 template <class T, class Space>
 void SimulationParts<T, Space>::move_world() {
   const auto alive = world.bodies().alive();
+  moves.ids.clear(), moves.poses.clear(), moves.linear.clear(), moves.angular.clear();
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     SimulatedBody<T, Space>& body = bodies[i];
     if (alive[i] == 0 || !body.moves || body.asleep) continue;
@@ -106,15 +107,22 @@ void SimulationParts<T, Space>::move_world() {
       body.free.angular_momentum = {};
       place(i, pose, {});
     }
-    world.move(world.bodies().id(i), pose, linear, angular);
+    moves.ids.push_back(world.bodies().id(i));
+    moves.poses.push_back(pose);
+    moves.linear.push_back(linear);
+    moves.angular.push_back(angular);
   }
+  world.move(moves.ids, moves.poses, moves.linear, moves.angular);
 }
 
 template <class T, class Space>
 void SimulationParts<T, Space>::mute() {
   std::sort(muted.begin(), muted.end());
-  if (muted.empty()) return world.set_allow({});
+  if (muted.empty() && drifting == 0) return world.set_allow({});
   world.set_allow([this](BodyId a, BodyId b) {
+    const auto triggers = world.bodies().triggers();
+    const bool pushed = bodies[a.index].movable || bodies[b.index].movable;
+    if (!pushed && (triggers[a.index] | triggers[b.index]) == 0) return false;
     const IdPair pair{std::min(a.index, b.index), std::max(a.index, b.index)};
     return !std::binary_search(muted.begin(), muted.end(), pair);
   });
@@ -131,7 +139,8 @@ Simulation<T, Space>::~Simulation() = default;
 template <class T, class Space>
 BodyId Simulation<T, Space>::add(Body<T, Space> body, const Dynamics& dynamics, const MaterialIn<T, Space>& material) {
   check(material);
-  const bool movable = !body.fixed && !dynamics.kinematic && !body.trigger;
+  const bool trigger = body.trigger;
+  const bool movable = !body.fixed && !dynamics.kinematic && (!trigger || dynamics.mass);
   SimulatedBody<T, Space> simulated;
   simulated.mass = body_mass(body.shape, dynamics, movable);
   simulated.movable = movable && simulated.mass.inverse_mass > T(0);
@@ -153,6 +162,7 @@ BodyId Simulation<T, Space>::add(Body<T, Space> body, const Dynamics& dynamics, 
   const BodyId id = parts_->world.add(std::move(body));
   if (parts_->bodies.size() <= id.index) parts_->bodies.resize(id.index + 1);
   parts_->bodies[id.index] = std::move(simulated);
+  if (parts_->drifts(id.index) && !trigger && ++parts_->drifting == 1) parts_->mute();
   parts_->place(id.index, parts_->world.bodies().poses()[id.index], velocity);
   return id;
 }
@@ -212,6 +222,7 @@ void Simulation<T, Space>::remove(BodyId id) {
   for (std::uint32_t j = 0; j < p.joints.size(); ++j)
     if (p.joints[j].alive && (p.joints[j].in_place.a == index || p.joints[j].in_place.b == index))
       remove(JointId{j, p.joints[j].generation});
+  if (p.drifts(index) && p.world.bodies().triggers()[index] == 0 && --p.drifting == 0) p.mute();
   p.world.remove(id);
   p.bodies[index] = {};
 }

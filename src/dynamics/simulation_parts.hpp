@@ -75,6 +75,7 @@ struct SimulationParts {
   std::vector<JointPlace<T, Space>> joints;
   std::vector<std::uint32_t> free_joints;
   std::vector<IdPair> muted;  ///< by joints, sorted; as often as there are joints that mute them
+  std::size_t drifting = 0;   ///< the number of bodies that move and are not pushed, without triggers
 
   // Members that a step fills anew.
   Islands islands;
@@ -85,6 +86,12 @@ struct SimulationParts {
   std::vector<std::uint32_t> link_pairs;  ///< of each link: its place among the contact pairs, or the joint behind them
   std::vector<FreeBodyIn<Space>> before;  ///< state of the bodies at the beginning of the step
   std::vector<T> shares;                  ///< of the step that each body has: less where it flew ahead to a blow
+  struct Moves {
+    std::vector<BodyId> ids;
+    std::vector<typename Space::Pose> poses;
+    std::vector<typename Space::Vec> linear;
+    std::vector<typename Space::Turning> angular;
+  } moves;  ///< of all that is awake, where the step ends
   T last_step{};
   T usual_step{};  ///< the last step, or a longer one before it (`usual_step_kept`)
   StepReport<T, Space> last{};
@@ -110,6 +117,9 @@ struct SimulationParts {
   const JointInPlace<T, Space>& joint_of(std::uint32_t link) const {
     return joints[link_pairs[link] - world.contacts().pairs.size()].in_place;
   }
+  /// Whether the body moves and nothing pushes it: it is kinematic, of infinite mass, or a trigger without a mass.
+  bool drifts(std::uint32_t index) const { return bodies[index].moves && !bodies[index].movable; }
+  /// Leaves out of the world's pairs those that joints mute, and those of two bodies that nothing pushes.
   void mute();
 
   ContactMaterial<T> material_of(const ContactPair<T>& pair) const {

@@ -33,6 +33,7 @@ template <class T, class Space>
 void SimulationParts<T, Space>::wake_around(std::uint32_t index) {
   wake(index);
   for (const ContactPair<T>& pair : world.contacts().pairs) {
+    if (pair.manifold_count == 0) continue;  // of a trigger
     if (pair.a == index) wake(pair.b);
     if (pair.b == index) wake(pair.a);
   }

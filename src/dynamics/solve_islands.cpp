@@ -39,7 +39,7 @@ void SimulationParts<T, Space>::find_islands() {
 
   awake.assign(islands.ranges().size(), 0);
   // Bodies that nothing pushes wake those that they touch where they move, and where they have just been put.
-  const auto drifts = [&](std::uint32_t i) {
+  const auto disturbs = [&](std::uint32_t i) {
     if (movable[i] != 0) return false;
     return bodies[i].placed || (bodies[i].moves && !(bodies[i].free.linear == typename Space::Vec{} &&
                                                      bodies[i].spin == typename Space::Turning{}));
@@ -47,7 +47,7 @@ void SimulationParts<T, Space>::find_islands() {
   for (std::size_t k = 0; k < awake.size(); ++k) {
     const Islands::Range& r = islands.ranges()[k];
     for (const std::uint32_t i : islands.bodies_of(r)) awake[k] |= !bodies[i].asleep;
-    for (const std::uint32_t l : islands.links_of(r)) awake[k] |= drifts(links[l].a) || drifts(links[l].b);
+    for (const std::uint32_t l : islands.links_of(r)) awake[k] |= disturbs(links[l].a) || disturbs(links[l].b);
     if (awake[k] == 0) continue;
     ++last.islands;
     last.awake += r.body_count;
