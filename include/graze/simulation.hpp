@@ -161,8 +161,9 @@ class GRAZE_API Simulation {
   void set_gravity(const Vec& gravity);                  ///< sets the gravity from the next step on
 
   StepReport<T, Space> report() const;  ///< statistics of the last step
-  /// A hash of all bits that the next step depends on: poses, motions, sleep, and the impulses of contacts and joints.
-  /// Equal runs have equal hashes, also after `restore`. Costs a pass over bodies and contacts.
+  /// A hash of all bits that the next step depends on, of the same bodies and joints: poses, motions, sleep, materials,
+  /// settings, the lengths of past steps, and the impulses of contacts and joints. Equal runs have equal hashes, also
+  /// after `restore`. Costs a pass over bodies and contacts.
   std::uint64_t state_hash() const;
 
   State<T, Space> save() const;  ///< all that `restore` needs

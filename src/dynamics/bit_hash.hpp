@@ -28,15 +28,22 @@ class BitHash {
     add(v.x), add(v.y);
   }
   template <class T>
+  void add(const Quat<T>& q) {
+    add(q.x), add(q.y), add(q.z), add(q.w);
+  }
+  template <class T>
+  void add(const plane::Rot2<T>& q) {
+    add(q.cosine), add(q.sine);
+  }
+  template <class T>
   void add(const Pose<T>& pose) {
     add(pose.translation);
-    add(Vec3<T>{pose.rotation.x, pose.rotation.y, pose.rotation.z});
-    add(pose.rotation.w);
+    add(pose.rotation);
   }
   template <class T>
   void add(const plane::Pose2<T>& pose) {
     add(pose.translation);
-    add(pose.rotation.cosine), add(pose.rotation.sine);
+    add(pose.rotation);
   }
   std::uint64_t value() const { return value_; }
 

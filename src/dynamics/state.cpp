@@ -72,6 +72,26 @@ bool same_joints(const std::vector<JointPlace<T, Space>>& a, const std::vector<J
   return true;
 }
 
+template <class T, class Space>
+void add_bits(BitHash& hash, const SimulationSettings<T, Space>& settings) {
+  hash.add(settings.gravity);
+  hash.add(settings.sub_steps);
+  hash.add(settings.most_sub_steps);
+  hash.add(settings.sleep);
+  hash.add(settings.continuous);
+  hash.add(settings.longest_step);
+}
+
+template <class T, class Vec>
+void add_bits(BitHash& hash, const Material<T, Vec>& material) {
+  for (const T value :
+       {material.static_friction, material.dynamic_friction, material.restitution, material.rolling_friction})
+    hash.add(value);
+  hash.add(material.friction_combine);
+  hash.add(material.restitution_combine);
+  hash.add(material.surface_velocity);
+}
+
 }  // namespace
 
 template <class T, class Space>
@@ -139,6 +159,9 @@ std::uint64_t Simulation<T, Space>::state_hash() const {
   SimulationParts<T, Space>& p = *parts_;
   const BodyArrays<T, Space>& all = p.world.bodies();
   BitHash hash;
+  add_bits(hash, p.settings);
+  hash.add(p.last_step);
+  hash.add(p.usual_step);
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     if (all.alive()[i] == 0) continue;
     hash.add(i);
@@ -146,8 +169,13 @@ std::uint64_t Simulation<T, Space>::state_hash() const {
     hash.add(all.linear()[i]);
     hash.add(all.angular()[i]);
     const SimulatedBody<T, Space>& body = p.bodies[i];
+    hash.add(i < p.found_at.size() ? p.found_at[i] : all.poses()[i]);
+    hash.add(body.free.center);
+    hash.add(body.free.rotation);
     hash.add(body.free.linear);
     hash.add(body.free.angular_momentum);
+    hash.add(body.spin);
+    add_bits(hash, body.material);
     hash.add(body.force);
     hash.add(body.torque);
     hash.add(body.rested);
@@ -156,8 +184,10 @@ std::uint64_t Simulation<T, Space>::state_hash() const {
     hash.add(body.placed);
   }
   each_point<T, Space>(p.world.contacts(), [&](const SolverPoint<T, Space>& point) { hash.add(point.impulse); });
-  for (const JointId id : joints())
+  for (const JointId id : joints()) {
     for (const T impulse : joint_impulses(id)) hash.add(impulse);
+    hash.add(p.joints[id.index].in_place.impulse_step);
+  }
   return hash.value();
 }
 

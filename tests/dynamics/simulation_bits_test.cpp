@@ -115,6 +115,41 @@ TYPED_TEST(SimulationBits, StatesHaveHashes) {
   EXPECT_EQ(s.state_hash(), before);
 }
 
+/// The hash changes with all that the next step depends on, though nothing moves yet.
+TYPED_TEST(SimulationBits, HashesHoldAllThatTheNextStepDependsOn) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(10), true));
+  add_floor(s);
+  const BodyId box = s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5), T(0)}, {}}});
+  Dynamics<T> kinematic;
+  kinematic.kinematic = true;
+  const BodyId fan = s.add({Sphere<T>(T(1)), {{T(9), T(9), T(9)}, {}}}, kinematic);
+  poses_after(s, 120);
+  ASSERT_TRUE(s.asleep(box));
+  std::uint64_t last = s.state_hash();
+  poses_after(s, 1);
+  EXPECT_EQ(s.state_hash(), last) << "nothing changed";
+  const auto changes = [&](const char* what) {
+    const std::uint64_t now = s.state_hash();
+    EXPECT_NE(now, last) << what;
+    last = now;
+  };
+  s.step(T(2 * dt));
+  changes("a longer step");
+  s.set_material(box, {T(0.25)});
+  changes("friction");
+  Material<T> belt{T(0.25)};
+  belt.surface_velocity = {T(1), T(0), T(0)};
+  s.set_material(box, belt);
+  changes("a surface's velocity");
+  s.set_gravity({T(0), T(-5), T(0)});
+  changes("gravity");
+  s.move_to(fan, {{T(9), T(9), T(9)}, normalized(Quat<T>{T(0), T(0.125), T(0), T(1)})}, T(dt));
+  changes("a kinematic's spin");
+  Simulation<T> still_asking(settings<T>(T(10), true)), never_asleep(settings<T>(T(10), false));
+  EXPECT_NE(still_asking.state_hash(), never_asleep.state_hash());
+}
+
 TYPED_TEST(SimulationBits, SameInAnotherSize) {
   using T = TypeParam;
   const auto run = [](T scale, T step) {
