@@ -840,10 +840,12 @@ typedef struct GrazeResponsed {
   GrazeMotiond a, b;            // motions after the impact
 } GrazeResponsed;
 
-// The inverse mass. `mass` > 0, or INFINITY for an immovable body; `inertia` is the diagonal in the frame `rotation`.
+// The inverse mass. `mass` > 0, or INFINITY for an immovable body; `inertia` is the diagonal in the frame `rotation`:
+// of three finite moments none is larger than the sum of the others.
 GRAZE_C_API GrazeStatus graze_inverse_mass_d(double mass, GrazeVec3d inertia, GrazeQuatd rotation,
                                              GrazeInverseMassd *inverse);
-// The inverse mass of a body with an inertia tensor in the frame `rotation`: symmetric and positive definite.
+// The inverse mass of a body with an inertia tensor in the frame `rotation`: symmetric and positive definite,
+// no principal moment larger than the sum of the others.
 GRAZE_C_API GrazeStatus graze_inverse_mass_of_tensor_d(double mass, const GrazeMat3d *inertia, GrazeQuatd rotation,
                                                        GrazeInverseMassd *inverse);
 // The inverse mass of a shape with `mass` spread evenly, about its centre of mass.

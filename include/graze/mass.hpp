@@ -21,11 +21,13 @@ struct InverseMass {
 
 /// The inverse mass of a body of `mass` (> 0; infinite for one that does not move or turn, whatever its inertia) whose
 /// `inertia` is diagonal in the frame `rotation`: each component > 0, or infinite for an axis about which the body
-/// does not turn. Throws `InvalidValue` for anything else, and for a mass too small to be inverted.
+/// does not turn; of three finite ones none larger than the sum of the others. Throws `InvalidValue` for anything else,
+/// and for a mass too small to be inverted.
 template <class T>
 GRAZE_API InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotation = {});
 
-/// The inverse mass of a body with an inertia tensor in the frame `rotation`: symmetric and positive definite.
+/// The inverse mass of a body with an inertia tensor in the frame `rotation`: symmetric and positive definite, none
+/// of its principal moments larger than the sum of the others up to rounding by half of the digits.
 template <class T>
 GRAZE_API InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotation = {});
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "dynamics/inertia_check.hpp"
 #include "graze/plane/mass.hpp"
 
 namespace graze {
@@ -13,10 +14,6 @@ namespace {
 
 /// Rounds of Jacobi's method: it converges quadratically, and five suffice in double.
 constexpr int most_rounds = 12;
-
-/// The part by which an inertia may exceed the sum of the two others, as rounding makes that of a flat plate.
-template <class T>
-constexpr T rounding_of_inertia = T(16) * std::numeric_limits<T>::epsilon();
 
 /// The quaternion of a rotation matrix, by its largest component (Shepperd 1978).
 template <class T>
@@ -58,12 +55,7 @@ void check_not_negative(T value, const char* path) {
 template <class T>
 void check_inertia(const Vec3<T>& inertia) {
   for (std::size_t i = 0; i < 3; ++i) check_positive(inertia[i], "inertia_diagonal[" + std::to_string(i) + "]");
-  for (std::size_t i = 0; i < 3; ++i) {
-    const T others = inertia[(i + 1) % 3] + inertia[(i + 2) % 3];
-    if (std::isfinite(inertia[i]) && inertia[i] > others * (T(1) + rounding_of_inertia<T>))
-      validate::fail("inertia_diagonal[" + std::to_string(i) + "]", "at most the sum of the other two",
-                     static_cast<double>(inertia[i]));
-  }
+  check_triangle_inequality(inertia, "inertia_diagonal");
 }
 
 /// Checks the numbers that both spaces have.

@@ -1,6 +1,7 @@
 #include "graze/mass.hpp"
 
-#include <limits>
+#include "dynamics/body_mass.hpp"
+#include "dynamics/inertia_check.hpp"
 
 namespace graze {
 
@@ -26,15 +27,31 @@ Mat3<T> turned(const Mat3<T>& tensor, const Quat<T>& rotation) {
   return r * tensor * transposed(r);
 }
 
-/// The inverse of a symmetric matrix by its cofactors; `matrix` has been scaled to a largest element of 1. A matrix
-/// with positive leading minors is positive definite (Sylvester's criterion).
+/// Whether a symmetric matrix is positive definite: its leading minors are positive (Sylvester's criterion).
 template <class T>
-Mat3<T> inverse_of_scaled(const Mat3<T>& m, const char* path, T found) {
+bool is_positive_definite(const Mat3<T>& m) {
+  return m.row[0].x > T(0) && cross(m.row[0], m.row[1]).z > T(0) && dot(m.row[0], cross(m.row[1], m.row[2])) > T(0);
+}
+
+/// The inverse of a positive definite matrix by its cofactors.
+template <class T>
+Mat3<T> inverse_of(const Mat3<T>& m) {
   const Vec3<T> x = cross(m.row[1], m.row[2]), y = cross(m.row[2], m.row[0]), z = cross(m.row[0], m.row[1]);
   const T volume = dot(m.row[0], x);
-  if (!(m.row[0].x > T(0) && z.z > T(0) && volume > T(0)))
-    validate::fail(path, "a positive definite tensor", static_cast<double>(found));
   return Mat3<T>::from_columns(x / volume, y / volume, z / volume);
+}
+
+/// Throws for a tensor, scaled by `scale` to a largest element of 1, that no body has: one that is not positive
+/// definite, or of which a principal moment is larger than the sum of the others, which is more than half of the trace.
+template <class T>
+void check_tensor(const Mat3<T>& scaled, T scale) {
+  if (!is_positive_definite(scaled))
+    validate::fail("inertia", "a positive definite tensor", static_cast<double>(T(1) / scale));
+  const T half_trace = (scaled.row[0].x + scaled.row[1].y + scaled.row[2].z) / T(2) + rounding<T>;
+  if (is_positive_definite(Mat3<T>::diagonal({half_trace, half_trace, half_trace}) - scaled)) return;
+  const Vec3<T> moments = principal_axes(scaled).diagonal;
+  validate::fail("inertia", "a tensor of which no principal moment is larger than the sum of the others",
+                 static_cast<double>(greatest(moments.x, greatest(moments.y, moments.z)) / scale));
 }
 
 }  // namespace
@@ -44,7 +61,9 @@ InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotat
   InverseMass<T> inverted{inverse(mass, "mass"), {}};
   const Vec3<T> about{inverse(inertia.x, "inertia", 0), inverse(inertia.y, "inertia", 1),
                       inverse(inertia.z, "inertia", 2)};
-  if (inverted.movable()) inverted.inertia = turned(Mat3<T>::diagonal(about), rotation);
+  if (!inverted.movable()) return inverted;
+  check_triangle_inequality(inertia, "inertia");
+  inverted.inertia = turned(Mat3<T>::diagonal(about), rotation);
   return inverted;
 }
 
@@ -59,7 +78,9 @@ InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotat
   for (int i = 0; i < 3; ++i)
     if (const T off = max_abs(inertia.row[i] - mirrored.row[i]); !(off <= rounding<T> * largest))
       validate::fail("inertia", "a symmetric tensor", static_cast<double>(off));
-  inverted.inertia = turned(inverse_of_scaled(inertia * scale, "inertia", largest) * scale, rotation);
+  const Mat3<T> scaled = inertia * scale;
+  check_tensor(scaled, scale);
+  inverted.inertia = turned(inverse_of(scaled) * scale, rotation);
   return inverted;
 }
 

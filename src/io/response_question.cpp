@@ -1,4 +1,5 @@
 // The reading of the query `response`.
+#include "dynamics/inertia_check.hpp"
 #include "graze/plane/mass.hpp"
 #include "io/plane_question.hpp"
 #include "io/question.hpp"
@@ -31,7 +32,9 @@ Vec3<T> read_inertia(const JsonValue& json, int dimension) {
   constexpr T infinity = std::numeric_limits<T>::infinity();
   if (dimension == 2) return {infinity, infinity, read_resistance<T>(json)};
   const auto parts = json.elements(3);
-  return {read_resistance<T>(parts[0]), read_resistance<T>(parts[1]), read_resistance<T>(parts[2])};
+  const Vec3<T> inertia{read_resistance<T>(parts[0]), read_resistance<T>(parts[1]), read_resistance<T>(parts[2])};
+  check_triangle_inequality(inertia, json.path());
+  return inertia;
 }
 
 /// The inertia of a figure of the plane that has `mass` spread evenly; zero where it has no area.

@@ -235,13 +235,24 @@ TEST(InverseMass, WhatIsNoneIsNamed) {
     EXPECT_EQ(path_of([&] { inverse_mass(mass, Vec3d{1, 1, 1}); }), "mass") << mass;
   EXPECT_EQ(path_of([] { inverse_mass(1.0, Vec3d{1, 0, 1}); }), "inertia[1]");
   EXPECT_EQ(path_of([&] { inverse_mass(1.0, Vec3d{1, 1, nan}); }), "inertia[2]");
+  EXPECT_EQ(path_of([] { inverse_mass(1.0, Vec3d{1, 1, 3}); }), "inertia[2]");
+  EXPECT_EQ(path_of([] { inverse_mass(1.0f, Vec3f{3, 1, 1}); }), "inertia[0]");
   EXPECT_EQ(path_of([] { inverse_mass(1.0, Mat3d::diagonal({1, 1, -1})); }), "inertia");
   EXPECT_EQ(path_of([] { inverse_mass(1.0, Mat3d{}); }), "inertia");
+  EXPECT_EQ(path_of([] { inverse_mass(1.0, Mat3d::diagonal({1, 3, 1})); }), "inertia");
   Mat3d lopsided = Mat3d::diagonal({2, 2, 2});
   lopsided.row[0].y = 1e-9;
   EXPECT_EQ(path_of([&] { inverse_mass(1.0, lopsided); }), "accepted");
   lopsided.row[0].y = 1;
   EXPECT_EQ(path_of([&] { inverse_mass(1.0, lopsided); }), "inertia");
+  // A flat plate reaches the limit of the triangle inequality, turned or not, in any unit; beyond it there is no body.
+  const Mat3d turn = rotation_matrix(normalized(Quatd{0.3, -0.2, 0.5, 0.8}));
+  const auto turned = [&](const Vec3d& moments) { return turn * Mat3d::diagonal(moments) * transposed(turn); };
+  for (const double scale : {1e-9, 1.0, 1e9}) {
+    EXPECT_EQ(path_of([&] { inverse_mass(1.0, turned(Vec3d{3, 1, 2} * scale)); }), "accepted");
+    EXPECT_EQ(path_of([&] { inverse_mass(1.0, turned(Vec3d{3.001, 1, 2} * scale)); }), "inertia");
+    EXPECT_EQ(path_of([&] { inverse_mass(1.0, Vec3d{3, 1, 2} * scale); }), "accepted");
+  }
   EXPECT_EQ(path_of([] { inertia_of(Shaped(Rectangle<double>(1, 1)), 1.0); }), "shape");
 }
 

@@ -58,7 +58,8 @@ struct RandomTree {
     body.linear = vector();
     body.angular = vector();
     const bool moves = random() % 5 != 0;
-    Vec3d inertia{1 + number() / 2, 1 + number() / 2, 1 + number() / 2};
+    const Vec3d spread{2 + number(), 2 + number(), 2 + number()};
+    Vec3d inertia = Vec3d{spread.y + spread.z, spread.z + spread.x, spread.x + spread.y} / 4.0;
     if (random() % 12 == 0) {
       inertia[random() % 3] = std::numeric_limits<double>::infinity();
       all_turn = false;

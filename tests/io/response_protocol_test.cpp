@@ -113,6 +113,10 @@ TEST(ResponseProtocol, ErrorsNameWhatIsWrong) {
             R"(b.mass: expected a finite number > 0, or "infinity", got "heavy")");
   EXPECT_EQ(error(R"("mass": 1, "inertia": [1, -1, 1])"),
             R"(b.inertia[1]: expected a finite number > 0, or "infinity", got -1)");
+  EXPECT_EQ(error(R"("mass": 1, "inertia": [1, 1, 3])"),
+            "b.inertia[2]: expected at most the sum of the other two, got 3");
+  EXPECT_EQ(error(R"("mass": "infinity", "inertia": [3, 1, 1])"),
+            "b.inertia[0]: expected at most the sum of the other two, got 3");
   EXPECT_EQ(error(R"("mass": 1)"), "b.shape: expected a value, got nothing");
   EXPECT_EQ(error(R"("mass": 1, "shape": {"type": "plane"})"),
             "b.inertia: expected a value, since the shape has no volume to take it from, got nothing");

@@ -24,11 +24,11 @@ def test_a_ball_is_thrown_back_by_a_wall():
 
 
 def test_an_impulse_moves_and_turns():
-    body = graze.StruckBody(2.0, (1, 2, 4), ((1, 0, 0), (0, 0, 0, 1)))
+    body = graze.StruckBody(2.0, (2, 2, 4), ((1, 0, 0), (0, 0, 0, 1)))
     after = body.apply_impulse((0, 4, 0), (2, 0, 0))
     np.testing.assert_allclose(after.linear, (0, 2, 0))
     np.testing.assert_allclose(after.angular, (0, 0, 1))
-    tensor = graze.StruckBody(2.0, np.diag([1.0, 2, 4]), (1, 0, 0))
+    tensor = graze.StruckBody(2.0, np.diag([2.0, 2, 4]), (1, 0, 0))
     np.testing.assert_allclose(tensor.apply_impulse((0, 4, 0), (2, 0, 0)).angular, (0, 0, 1))
     flat = plane.StruckBody(2.0, 4.0, (1, 0)).apply_impulse((0, 4), (2, 0))
     assert flat.linear.tolist() == [0, 2] and flat.angular == 1
@@ -68,7 +68,7 @@ def test_a_book_that_tumbles_keeps_its_momentum_and_energy():
 
 @pytest.mark.parametrize("wrong,named", [
     (lambda: graze.StruckBody(0), "mass"), (lambda: graze.StruckBody(1, (1, -1, 1)), "inertia"),
-    (lambda: graze.StruckBody(1, np.zeros((2, 3))), "inertia"),
+    (lambda: graze.StruckBody(1, np.zeros((2, 3))), "inertia"), (lambda: graze.StruckBody(1, (1, 1, 3)), r"inertia\[2\]"),
     (lambda: graze.StruckBody(1, linear=(math.nan, 0, 0)), "linear"), (lambda: plane.StruckBody(-1), "mass"),
     (lambda: plane.StruckBody(1, 0.0), "inertia"), (lambda: plane.StruckBody.of_shape(plane.HalfPlane(), 1.0), "shape"),
     (lambda: graze.Blow(0, 1, (1, 1, 0), (0, 0, 0)), "normal"), (lambda: graze.Blow(0, 1, (1, 0, 0), (0, 0, 0), 2), "restitution"),
