@@ -39,13 +39,14 @@ int main(int argc, char** argv) {
     line.push_back(row.jolt);
     table.add(line);
   }
-  std::printf("# How engines resolve contacts\n\n"
-              "Written by `bench_resolution` (`make bench-resolution`). 60 steps a second, g = 10 m/s², density 1000\n"
-              "kg/m³, friction 0.6, each engine's default solver, sleep off but where a row says so. Depths are\n"
-              "measured alike for all engines, by contacts in double precision. Times are of one thread, by the\n"
-              "processor's clock; what two threads gain is by the clock on the wall. Box3D (`30c67b5`) and Jolt\n"
-              "(`3b47ec39`) are quoted from an earlier measurement on scenes of the same description, not run here:\n"
-              "where layout matters (g, h) and for times they are a hint and no comparison. `docs/resolution.md` says\n"
-              "where a target is missed, and why.\n\n%s",
-              table.text().c_str());
+  std::printf(
+      "# How engines resolve contacts\n\n"
+      "Written by `bench_resolution` (`make bench-resolution`). 60 steps a second, g = 10 m/s², density 1000\n"
+      "kg/m³, friction 0.6, each engine's default solver, sleep off but where a row says so. Depths are\n"
+      "those at the end of a row's run, measured alike for all engines, by contacts in double precision. Times\n"
+      "are of one thread, by the processor's clock; what two threads gain is by the clock on the wall. Box3D\n"
+      "(`30c67b5`) and Jolt (`3b47ec39`) are quoted from an earlier measurement on scenes of the same\n"
+      "description, not run here: where layout matters (g, h) and for times they are a hint and no comparison.\n"
+      "`docs/resolution.md` says where a target is missed, and why.\n\n%s",
+      table.text().c_str());
 }

@@ -1,4 +1,4 @@
-// What each row of the table measures of an engine, as the table prints it.
+// What each row of the table measures of an engine, as the table prints it. Depths are those at the end of a run.
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ std::string sliding(const EngineKind& kind, double share, bool plate, bool way);
 std::string stopping(const EngineKind& kind);
 std::string rebound(const EngineKind& kind);
 std::string elastic(const EngineKind& kind, bool ball);
-std::string cradle(const EngineKind& kind);             ///< speed of the last ball, energy
-std::string spin(const EngineKind& kind, double rate);  ///< errors of angular momentum, its direction, energy
+std::string cradle(const EngineKind& kind);             ///< speed of the last ball, greatest of the others, energy
+std::string spin(const EngineKind& kind, double rate);  ///< errors of angular momentum, its direction, energy; flips
 std::string free_fall(const EngineKind& kind);
 std::string cylinders(const EngineKind& kind);      ///< how many sleep, since when, depth
 std::string balls_in_bowl(const EngineKind& kind);  ///< the same
@@ -31,7 +31,7 @@ std::string through_wall(const EngineKind& kind, double size, bool moving_wall);
 std::string past_post(const EngineKind& kind, double rate, bool moving_post);
 
 // A pile (resolution_pile.cpp).
-std::string pile(const EngineKind& kind);          ///< time of a step, depth, energy
+std::string pile(const EngineKind& kind);          ///< time of a step, depth, energy at three quarters and at the end
 std::string settled_pile(const EngineKind& kind);  ///< time of a step, depth
 std::string two_threads(const EngineKind& kind);   ///< how many times faster than one
 std::string same_bits(const EngineKind& kind);     ///< twice; on several threads; after it was put back

@@ -41,7 +41,7 @@ std::string sliding(const EngineKind& kind, double share, bool plate, bool way) 
   Slope slope(kind, share, plate);
   slope.run.steps(2 * seconds);
   const double a = g * std::sin(Slope::angle) * (1 - share);
-  return printed("%.3f", way ? slope.run.at(1).x / (2 * a) : slope.run.moving(1).linear.x / (2 * a));
+  return printed("%.4f", way ? slope.run.at(1).x / (2 * a) : slope.run.moving(1).linear.x / (2 * a));
 }
 
 std::string stopping(const EngineKind& kind) {
@@ -98,7 +98,10 @@ std::string cradle(const EngineKind& kind) {
   Run run(kind, things, {.gravity = {}});
   const double before = run.kinetic_energy();
   run.steps(1 * seconds);
-  return printed("%.3f m/s", run.moving(5).linear.x) + printed(", %.3f", run.kinetic_energy() / before);
+  double others = 0;
+  for (std::size_t i = 0; i < 5; ++i) others = std::max(others, length(run.moving(i).linear));
+  return printed("%.3f m/s", run.moving(5).linear.x) + printed(", %.3f m/s", others) +
+         printed(", %.3f", run.kinetic_energy() / before);
 }
 
 std::string spin(const EngineKind& kind, double rate) {
@@ -108,11 +111,20 @@ std::string spin(const EngineKind& kind, double rate) {
   Run run(kind, {book}, {.gravity = {}});
   const Vec3d before = run.angular_momentum(0);
   const double energy = run.kinetic_energy();
-  run.steps(20 * seconds);
+  const auto upright = [&] {
+    const Moving m = run.moving(0);
+    return rotate(conjugate(m.pose.rotation), m.angular).y > 0;
+  };
+  int flips = 0;
+  for (int i = 0; i < 20 * seconds; ++i) {
+    const bool was = upright();
+    run.steps(1);
+    flips += upright() != was ? 1 : 0;
+  }
   const Vec3d after = run.angular_momentum(0);
   const double turned = std::atan2(length(cross(before, after)), dot(before, after)) * 57.29577951308232;
   return printed("%+.1e", length(after) / length(before) - 1) + printed(", %.1e°", turned) +
-         printed(", %+.1e", run.kinetic_energy() / energy - 1);
+         printed(", %+.1e, ", run.kinetic_energy() / energy - 1) + std::to_string(flips);
 }
 
 std::string free_fall(const EngineKind& kind) {

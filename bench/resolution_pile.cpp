@@ -36,9 +36,11 @@ std::string pile(const EngineKind& kind) {
   constexpr int steps = 480;
   Run run(kind, bin_of_boxes(5000));
   const double start = processor_seconds();
-  run.steps(steps);
-  const double spent = processor_seconds() - start;
-  return printed("%.0f ms", spent / steps * 1e3) + ", " + millimetres(run.deepest()) + ", " +
+  run.steps(steps / 4 * 3);
+  const double paused = processor_seconds(), energy = run.kinetic_energy(), resumed = processor_seconds();
+  run.steps(steps / 4);
+  const double spent = processor_seconds() - resumed + paused - start;
+  return printed("%.0f ms", spent / steps * 1e3) + ", " + millimetres(run.deepest()) + ", " + joules(energy) + ", " +
          joules(run.kinetic_energy());
 }
 
