@@ -193,12 +193,53 @@ TEST(Conformance, MotionProperties) {
   }
 }
 
+/// A parent that is turned and moved, and the parent of that: velocities are in the space of the node, which all of them
+/// turn.
+TEST(Conformance, MotionPropertiesBelowTurnedParents) {
+  const Quatd about_x = Quatd::from_axis_angle({1, 0, 0}, pi / 2), about_y = Quatd::from_axis_angle({0, 1, 0}, pi / 2);
+  struct Parents {
+    const char* says;
+    Quatd outer, inner, own;
+  };
+  const Parents all[] = {{"velocities of a turned node below a turned parent", {}, about_y, about_x},
+                         {"velocities below two turned parents", about_x, about_y, {}},
+                         {"velocities of a turned node below two turned parents", about_y, about_x, about_y}};
+  for (int i = 0; i < 3; ++i) {
+    PhysicsScene scene;
+    const auto ball = scene.ball(0.5);
+    const auto outer = scene.node("outer", nullptr, {0, 1, 0}, all[i].outer);
+    const auto inner = scene.node("inner", nullptr, {0, 0, 2}, all[i].inner);
+    scene.put_below(outer, inner);
+    const auto add = [&](const char* name, double x, const Json& motion) {
+      scene.put_below(inner, scene.node(name, moving(ball, motion), {x, 0, 0}, all[i].own));
+    };
+    add("still", 0, {{"gravityFactor", 0}});
+    add("going", 5, {{"gravityFactor", 0}, {"linearVelocity", {1, 0, 0}}});
+    add("turning", -5, {{"gravityFactor", 0}, {"angularVelocity", {0, 1, 0}}});
+    const Played played(kept(scene, numbered("motion-properties", 2 + i), all[i].says), 2);
+    const Quatd above = all[i].outer * all[i].inner, world = above * all[i].own;
+    const Vec3d middle = Vec3d{0, 1, 0} + rotate(all[i].outer, Vec3d{0, 0, 2});
+    const Vec3d apart = rotate(above, Vec3d{5, 0, 0}), along = rotate(world, Vec3d{1, 0, 0});
+    const Vec3d axis = rotate(world, Vec3d{0, 1, 0});
+    EXPECT_LE(length(played.end("still").pose.translation - middle), 1e-12) << i;
+    EXPECT_LE(length(played.end("going").linear - along), 1e-12) << i;
+    EXPECT_LE(length(played.end("going").pose.translation - middle - apart - along * 2.0), 1e-9) << i;
+    EXPECT_LE(length(played.end("turning").angular - axis), 1e-12) << i;
+    EXPECT_LE(length(played.end("turning").pose.translation - middle + apart), 1e-12) << i;
+    const Quatd turn = played.end("turning").pose.rotation * conjugate(played.at("turning", 0).pose.rotation);
+    EXPECT_NEAR(std::abs(dot(turn.vector(), axis)), std::sin(1.0), 1e-6) << i;
+  }
+}
+
+/// It is no pair of the fixed box around it, whose depth would be reported.
 TEST(Conformance, KinematicBodiesAreNotPushed) {
   PhysicsScene scene;
   scene.node("around", collider(scene.box(3, 3, 3)));
   scene.node("inside", moving(scene.box(1, 1, 1), {{"isKinematic", true}}));
   const Played played(kept(scene, "motion-properties-05", "a kinematic body is not pushed"), 2);
   EXPECT_EQ(played.end("inside").pose.translation, Vec3d{});
+  EXPECT_EQ(played.summary.deepest, 0);
+  for (const SimulationFrame& frame : played.frames) EXPECT_TRUE(frame.contacts.empty());
 }
 
 /// Masses of 1 and 100 at 5 m/s into masses of 1, inelastic: both leave together, at 5 m / (m + 1).
