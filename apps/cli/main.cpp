@@ -20,7 +20,7 @@ constexpr int cannot_work = 2;
 const char* unknown_command(CLI::App& app, int argc, char** argv) {
   const auto word = std::find_if(argv + 1, argv + argc, [](const char* argument) { return argument[0] != '-'; });
   const auto commands = app.get_subcommands({});
-  const auto named = [&](const CLI::App* command) { return command->get_name() == *word; };
+  const auto named = [&](const CLI::App* command) { return command->check_name(*word); };
   return word == argv + argc || std::any_of(commands.begin(), commands.end(), named) ? nullptr : *word;
 }
 

@@ -33,14 +33,15 @@ Run add_query(CLI::App& app) {
     std::string file, precision = "double";
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("query", "Answer questions in JSON, one a line");
+  CLI::App* command = app.add_subcommand("query", "Answer questions in JSON, one a line")->alias("response");
   command->add_option("FILE", options->file, "Questions, one JSON object a line (default: standard input)");
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->footer(
       "Queries: overlap, distance, contacts, raycast, cast, closest, response. Exit code: 0 when every line was\n"
-      "answered, 1 when an answer was an error, 2 when a file cannot be read or standard output cannot be written.\n\n"
+      "answered, 1 when an answer was an error, 2 when a file cannot be read or standard output cannot be written.\n"
+      "graze response is another name of this command, for the questions that docs/resolution.md explains.\n\n"
       "Example:\n"
       "  echo '{\"query\": \"closest\", \"a\": {\"shape\": {\"type\": \"box\"}}, \"point\": [2, 0, 0]}' | graze query");
   return [options] {

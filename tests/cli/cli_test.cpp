@@ -277,6 +277,15 @@ TEST(Cli, ExplainNamesTheWinnerAndTheFeatures) {
   EXPECT_NE(r.output.find("vertex 2 of A, vertex 3 of B"), std::string::npos) << r.output;
 }
 
+TEST(Cli, ResponseIsAnotherNameOfQuery) {
+  const std::string file = std::string(GRAZE_SOURCE_DIR) + "/docs/resolution.jsonl";
+  const Result r = run("response " + file);
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.output.find("\"normalImpulse\":"), std::string::npos) << r.output;
+  EXPECT_EQ(r.output, run("query " + file).output);
+  EXPECT_NE(run("response --help").output.find("Queries:"), std::string::npos);
+}
+
 // Two bodies of mass 1, the first of which runs into the second that rests: both go on with half of its speed.
 TEST(Cli, ExplainShowsTheQuantitiesOfAResponse) {
   const auto file = std::filesystem::temp_directory_path() / "graze_explain_response_test.jsonl";
