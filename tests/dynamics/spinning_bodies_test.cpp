@@ -33,7 +33,7 @@ TYPED_TEST(SpinningBodies, AHeavyTopPrecesses) {
     s.step(T(dt));
     const double angle = rate * dt * i;
     const Vec3d at = converted<double>(s.poses()[top.index].translation);
-    ASSERT_LT(length(at - Vec3d{arm * std::cos(angle), 0, -arm * std::sin(angle)}), 0.01 + 0.005 * angle) << i;
+    ASSERT_LT(length(at - Vec3d{arm * std::cos(angle), 0, -arm * std::sin(angle)}), 0.002) << i;
   }
 }
 
