@@ -34,6 +34,14 @@ constexpr std::pair<const char*, const char*> options_of_values[] = {
     {"seconds", "--seconds"},         {"rate", "--rate"},      {"dt", "--rate"}, {"sub_steps", "--substeps"},
     {"most_sub_steps", "--substeps"}, {"gravity", "--gravity"}};
 
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& list) {
+  std::vector<std::string> names;
+  names.reserve(list.size());
+  for (const Named& one : list) names.push_back(one.name);
+  return names;
+}
+
 /// Plays a scene into a file, if there is one, and prints the summary.
 template <class Frame, class AnyScene, class AnyRecording>
 void play(AnyScene& scene, const SimulateArguments& options, const io::SimulateOptions& how, AnyRecording& recording,
@@ -55,7 +63,8 @@ void play(AnyScene& scene, const SimulateArguments& options, const io::SimulateO
     if (recording)
       for (std::string& text : recording->notices()) scene.notices.push_back(std::move(text));
   scene.notices.insert(scene.notices.end(), summary.notices.begin(), summary.notices.end());
-  const SummaryOf of{scene.source, scene.notices, options.rate, took.count()};
+  const SummaryOf of{scene.source,           scene.notices, names_of(scene.colliders),
+                     names_of(scene.bodies), options.rate,  took.count()};
   options.report == "json" ? print_as_json(of, summary) : print_as_text(of, summary);
 }
 

@@ -19,6 +19,8 @@ SimulateSummary play(Simulated& simulated, const SimulateOptions& options, const
   for (std::size_t i = 1; i < frames; ++i) {
     const double time = static_cast<double>(i) / options.rate;
     simulated.step(time, 1 / options.rate);
+    const double before = static_cast<double>(i - 1) / options.rate;  // contacts are those that a step begins with
+    simulated.note_triggers(before, summary.triggers);
     frame = simulated.frame(time);
     each(frame);
     const auto r = simulated.report();
@@ -31,7 +33,7 @@ SimulateSummary play(Simulated& simulated, const SimulateOptions& options, const
     summary.most_sub_steps = std::max(summary.most_sub_steps, r.most_sub_steps);
     if (const auto depth = static_cast<double>(r.deepest); depth > summary.deepest) {
       summary.deepest = depth;
-      summary.deepest_time = static_cast<double>(i - 1) / options.rate;  // contacts are those that a step begins with
+      summary.deepest_time = before;
     }
   }
   summary.steps = frames - 1;

@@ -46,6 +46,13 @@ Dynamics<T> share_of(const Dynamics<double>& whole, const Posed& to_body, std::s
   return d;
 }
 
+/// The element of that index in the scene, of a list that is sorted by it.
+template <class Moved>
+const Moved& found_at(std::span<const Moved> list, std::uint32_t index) {
+  return *std::lower_bound(list.begin(), list.end(), index,
+                           [](const Moved& moved, std::uint32_t i) { return moved.index < i; });
+}
+
 bool same(const Material& a, const Material& b) {
   return a.static_friction == b.static_friction && a.dynamic_friction == b.dynamic_friction &&
          a.restitution == b.restitution && a.friction_combine == b.friction_combine &&
@@ -97,6 +104,9 @@ SimulatedScene<T>::SimulatedScene(const Scene& scene, const SimulateOptions& opt
     }
   }
   for (const Joint& joint : scene.joints) add_joint(joint);
+  for (std::uint32_t c = 0; c < scene.colliders.size(); ++c)
+    if (scene.colliders[c].trigger) add_trigger(c);
+  move_triggers();
 }
 
 /// Finds bodies that an animation moves: through the body's own node, or that of a fixed body through any node above
@@ -221,6 +231,33 @@ void SimulatedScene<T>::add_animated(std::uint32_t body) {
   if (parts_[body].empty() && scene_.bodies[body].motion) add_animated_anchor(body);
 }
 
+/// Adds a trigger, which moves along with its body.
+template <class T>
+void SimulatedScene<T>::add_trigger(std::uint32_t collider) {
+  Collider c = scene_.colliders[collider];
+  const bool moves = animated_[c.body] || scene_.bodies[c.body].motion;
+  if (animated_[c.body]) c.shape = found_at(motion_->colliders(), collider).shape;
+  graze::Body<T> trigger = in_world<T>(scene_, c, !moves);
+  trigger.trigger = true;
+  const BodyId id = simulation_.add(std::move(trigger));
+  simulation_.set_name(id, c.name);
+  body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), id.index + 1));
+  body_of_part_[id.index] = c.body;
+  watch_.add(id, collider);
+  if (moves) triggers_.push_back({id, c.body, collider, relative(scene_.bodies[c.body].pose, c.pose)});
+}
+
+/// Puts triggers where their bodies are.
+template <class T>
+void SimulatedScene<T>::move_triggers() {
+  for (const Trigger& t : triggers_) {
+    const Posed pose = animated_[t.body] ? animated_pose(t.body, {t.id, {}, t.collider})
+                                         : compose(pose_of(parts_[t.body].front()), t.in_body);
+    const Pose<T> to = converted<T>(pose);
+    if (!(to == simulation_.simulation().poses()[t.id.index])) simulation_.set_pose(t.id, to);
+  }
+}
+
 /// Adds a body that nothing collides with, for one without colliders: joints may hold on to it.
 template <class T>
 void SimulatedScene<T>::add_animated_anchor(std::uint32_t body) {
@@ -234,12 +271,7 @@ void SimulatedScene<T>::add_animated_anchor(std::uint32_t body) {
 /// The pose that the animation has for a part at the time it was moved to; of a part without a collider, the body's.
 template <class T>
 Posed SimulatedScene<T>::animated_pose(std::uint32_t body, const Part& part) const {
-  const auto find = [](const auto& list, std::uint32_t index) {
-    return std::lower_bound(list.begin(), list.end(), index,
-                            [](const auto& moved, std::uint32_t i) { return moved.index < i; })
-        ->pose;
-  };
-  return part.collider ? find(motion_->colliders(), *part.collider) : find(motion_->bodies(), body);
+  return part.collider ? found_at(motion_->colliders(), *part.collider).pose : found_at(motion_->bodies(), body).pose;
 }
 
 template <class T>
@@ -298,6 +330,7 @@ void SimulatedScene<T>::step(double time, double dt) {
     follow(dt);
   }
   simulation_.step(static_cast<T>(dt));
+  move_triggers();
 }
 
 template <class T>

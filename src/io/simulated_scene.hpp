@@ -6,6 +6,7 @@
 #include "graze/capture.hpp"
 #include "graze/io/simulate.hpp"
 #include "io/collider_motion.hpp"
+#include "io/trigger_watch.hpp"
 
 namespace graze::io {
 
@@ -19,6 +20,10 @@ class SimulatedScene {
   void step(double time, double dt);
   SimulationFrame frame(double time) const;
   StepReport<T> report() const { return simulation_.simulation().report(); }
+  /// Appends what came into triggers and left them in the last step, whose contacts are those at `time`.
+  void note_triggers(double time, std::vector<TriggerEvent>& out) {
+    watch_.note(simulation_.world().events(), body_of_part_, time, out);
+  }
   std::size_t awake() const;
   std::size_t joints() const { return joints_; }
   const std::vector<std::string>& notices() const { return notices_; }
@@ -31,12 +36,21 @@ class SimulatedScene {
     std::optional<std::uint32_t> collider{};  ///< that an animation moves, and the part with it
   };
 
+  /// A trigger, which moves along with one of the scene's bodies.
+  struct Trigger {
+    BodyId id;
+    std::uint32_t body, collider;  ///< in the scene
+    Posed in_body;                 ///< its pose seen from the body
+  };
+
   void add_fixed(std::uint32_t body);
   void add_moving(std::uint32_t body);
   void add_animated(std::uint32_t body);
   void add_animated_anchor(std::uint32_t body);
   void add_part(std::uint32_t body, const std::vector<std::uint32_t>& colliders, const Dynamics<double>& whole,
                 std::size_t parts);
+  void add_trigger(std::uint32_t collider);
+  void move_triggers();
   void hold_together(std::uint32_t body);
   void add_joint(const Joint& joint);
   Part part_of(const std::optional<std::uint32_t>& body);
@@ -51,7 +65,9 @@ class SimulatedScene {
   std::vector<std::uint32_t> moving_;
   std::vector<std::vector<Part>> parts_;     ///< by the scene's bodies
   std::vector<std::uint32_t> body_of_part_;  ///< by the simulation's indices
-  std::optional<Part> world_;                ///< the fixed body that joints to the world hold on to
+  std::vector<Trigger> triggers_;            ///< those that move
+  TriggerWatch watch_;
+  std::optional<Part> world_;  ///< the fixed body that joints to the world hold on to
   std::unique_ptr<ColliderMotion> motion_;
   std::vector<char> animated_;  ///< by the scene's bodies
   std::vector<std::string> notices_;

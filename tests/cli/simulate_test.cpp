@@ -70,6 +70,20 @@ TEST_F(Simulate, ReportsWhatItTook) {
   EXPECT_GT(whole["milliseconds"]["whole"], 0);
 }
 
+TEST_F(Simulate, TellsWhatCameIntoTriggers) {
+  const std::string scene = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/conformance/sample-triggers.gltf";
+  EXPECT_NE(run("simulate " + scene + " --seconds 2").output.find("trigger   zone: 1 in, 1 out\n"), std::string::npos);
+  const auto told = nlohmann::json::parse(run("simulate " + scene + " --seconds 2 --report json").output)["triggers"];
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0]["kind"], "begin");
+  EXPECT_EQ(told[1]["kind"], "end");
+  for (const auto& event : told) {
+    EXPECT_EQ(event["trigger"], "zone");
+    EXPECT_EQ(event["body"], "ball");
+  }
+  EXPECT_NEAR(told[0]["time"].get<double>(), 0.5, 0.02);
+}
+
 TEST_F(Simulate, DrawsBeforeAndAfter) {
   const std::string out = file("a.svg");
   EXPECT_EQ(run("simulate " + demo + " --seconds 1 --svg " + out).code, 0);

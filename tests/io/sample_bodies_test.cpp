@@ -202,6 +202,15 @@ TEST(SampleBodies, Triggers) {
   // From a quarter above its top until a quarter below its bottom.
   const double seconds = std::sqrt(2 * (5 - 2.25) / g) - std::sqrt(2 * (5 - 3.75) / g);
   EXPECT_NEAR(static_cast<double>(in_zone) / 60, seconds, 2.0 / 60);
+  const auto& events = played.summary.triggers;
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_TRUE(events[0].begins && !events[1].begins);
+  for (const TriggerEvent& event : events) {
+    EXPECT_EQ(played.scene.colliders[event.trigger].name, "zone");
+    EXPECT_EQ(played.scene.bodies[event.body].name, "ball");
+  }
+  EXPECT_NEAR(events[0].time, std::sqrt(2 * (5 - 3.75) / g), 1.0 / 60);
+  EXPECT_NEAR(events[1].time, std::sqrt(2 * (5 - 2.25) / g), 1.0 / 60);
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 // volume, a restitution above 1) throws `InvalidValue` that names the node; nothing is played then.
 //
 // A body whose colliders differ in filter or material is held together as parts, each with its share of the mass about
-// the same centre, so that the whole has the mass and inertia that it should have.
+// the same centre, so that the whole has the mass and inertia that it should have. Triggers move along with their body,
+// push nothing, and report what comes in and leaves.
 #pragma once
 
 #include <functional>
@@ -28,6 +29,14 @@ struct SimulateOptions {
   std::ostream* capture = nullptr;
 };
 
+/// A body that comes into a trigger of the scene, or leaves it.
+struct TriggerEvent {
+  double time = 0;            ///< of the frame in which it was first seen inside, or outside again
+  bool begins = true;         ///< it comes in, and does not leave
+  std::uint32_t trigger = 0;  ///< index into the scene's `colliders`
+  std::uint32_t body = 0;     ///< index into the scene's `bodies`: the other body, which may be a trigger too
+};
+
 /// Statistics of a simulation.
 struct SimulateSummary {
   std::size_t bodies = 0;                                                                ///< bodies with a motion
@@ -42,6 +51,7 @@ struct SimulateSummary {
   double kinetic_energy = 0, potential_energy = 0, first_energy = 0;  ///< at the end; the sum of both at the beginning
   int most_sub_steps = 0;                                             ///< largest number of sub-steps of any island
   std::vector<std::string> notices;                                   ///< remarks on the run for the reader
+  std::vector<TriggerEvent> triggers;                                 ///< in the order of time
 };
 
 /// Largest number of frames of a simulation, below which their times are different floats.
