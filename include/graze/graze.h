@@ -1279,7 +1279,8 @@ GRAZE_C_API GrazeStatus graze_simulation_create_captured_d(const GrazeSimulation
                                                            void *user, GrazeSimulationd **simulation);
 GRAZE_C_API void graze_simulation_destroy_d(GrazeSimulationd *simulation);
 
-// Adds a body. `dynamics` and `material` may be null: the defaults.
+// Adds a body. `dynamics` and `material` may be null: the defaults. A trigger is pushed by nothing that it touches: it
+// keeps its velocity, or moves by gravity, forces and joints where its dynamics have a mass.
 GRAZE_C_API GrazeStatus graze_simulation_add_d(GrazeSimulationd *simulation, const GrazeBodyd *body,
                                                const GrazeDynamicsd *dynamics, const GrazeMateriald *material,
                                                GrazeBodyId *id);
@@ -1921,7 +1922,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_create_captured_d(const GrazePlan
                                                                  void *user, GrazePlaneSimulationd **simulation);
 GRAZE_C_API void graze_plane_simulation_destroy_d(GrazePlaneSimulationd *simulation);
 
-// Adds a body. `dynamics` and `material` may be null: the defaults.
+// Adds a body. `dynamics` and `material` may be null: the defaults. A trigger is pushed by nothing that it touches: it
+// keeps its velocity, or moves by gravity, forces and joints where its dynamics have a mass.
 GRAZE_C_API GrazeStatus graze_plane_simulation_add_d(GrazePlaneSimulationd *simulation, const GrazePlaneBodyd *body,
                                                      const GrazePlaneDynamicsd *dynamics,
                                                      const GrazePlaneMateriald *material, GrazeBodyId *id);

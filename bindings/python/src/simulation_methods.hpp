@@ -327,8 +327,10 @@ RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longe
 linear: velocity of the pose's origin in world axes, length per unit of time. angular:
 )" + Words::turning_unit +
              R"(. fixed: never moves. kinematic: keeps the velocity
-that it is given; pushes and is not pushed. may_sleep: whether it sleeps with its island where
-nothing in it moves. center_of_mass: in the body's frame, by default the shape's. inertia:
+that it is given; pushes and is not pushed. trigger: tells what is in it, and is not pushed by
+that; with a mass of its own it falls and hangs on joints, without one it keeps its velocity.
+may_sleep: whether it sleeps with its island where nothing in it moves. center_of_mass: in the
+body's frame, by default the shape's. inertia:
 )" + Words::inertia_given +
              R"(; by default
 the shape's, filled evenly with the mass. Raises ValueError for a mass or an inertia that is none,
