@@ -5,8 +5,8 @@
 
 namespace graze::cli {
 
-/// The facts of a summary: a scene's name and notes, the names of its colliders and bodies, steps a second, and the time
-/// that it took to compute.
+/// The facts of a summary: a scene's name and notes, the names of its colliders and bodies, steps a second, and the
+/// time that it took to compute.
 struct SummaryOf {
   const std::string& source;
   const std::vector<std::string>& notices;

@@ -70,8 +70,8 @@ class GRAZE_API World {
     bodies_.move(id, pose, linear, angular);
   }
   /// Puts many bodies elsewhere at once, each of `ids` to the pose of the same place; with the velocities there, or as
-  /// they are without `linear` and `angular`. Throws `InvalidValue` for what `move` of one refuses and for spans of other
-  /// lengths than `ids`; nothing moves then.
+  /// they are without `linear` and `angular`. Throws `InvalidValue` for what `move` of one refuses and for spans of
+  /// other lengths than `ids`; nothing moves then.
   void move(std::span<const BodyId> ids, std::span<const Pose> poses, std::span<const Vec> linear = {},
             std::span<const Turning> angular = {}) {
     bodies_.move(ids, poses, linear, angular);

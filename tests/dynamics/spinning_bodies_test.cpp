@@ -38,9 +38,9 @@ TYPED_TEST(SpinningBodies, AHeavyTopPrecesses) {
 }
 
 /// A box of edges as of a book, whose moments are as 0.417 : 0.337 : 0.087, spun about its middle axis: in 20 s it
-/// flips nine times, as Euler's equations have it, and keeps its angular momentum bit for bit. It goes by where it could
-/// stay upright with a millionth of its energy to spare, of which rounding in float takes a part each time: its first
-/// five flips are right.
+/// flips nine times, as Euler's equations have it, and keeps its angular momentum bit for bit. It goes by where it
+/// could stay upright with a millionth of its energy to spare, of which rounding in float takes a part each time:
+/// its first five flips are right.
 TYPED_TEST(SpinningBodies, ABookFlipsNineTimes) {
   using T = TypeParam;
   Simulation<T> s(settings<T>(T(0)));

@@ -193,8 +193,8 @@ TEST(Conformance, MotionProperties) {
   }
 }
 
-/// A parent that is turned and moved, and the parent of that: velocities are in the space of the node, which all of them
-/// turn.
+/// A parent that is turned and moved, and the parent of that: velocities are in the space of the node, which all of
+/// them turn.
 TEST(Conformance, MotionPropertiesBelowTurnedParents) {
   const Quatd about_x = Quatd::from_axis_angle({1, 0, 0}, pi / 2), about_y = Quatd::from_axis_angle({0, 1, 0}, pi / 2);
   struct Parents {
