@@ -52,7 +52,12 @@ int main(int argc, char** argv) {
   for (const Row& row : rows)
     print_contacts_row(options, row.name, make_pairs(row.a, row.b, row.spread, row.stacked, options.pairs));
   print_motion_head();
-  for (const Row& row : rows)
-    if (!row.stacked) print_motion_row(options, row.name, make_pairs(row.a, row.b, row.spread, false, options.cached));
+  std::vector<Pairs> some;
+  for (const Row& row : rows) {
+    if (row.stacked) continue;
+    print_motion_row(options, row.name, make_pairs(row.a, row.b, row.spread, false, options.pairs));
+    some.push_back(make_pairs(row.a, row.b, row.spread, false, options.cached));
+  }
+  print_mixed_casts(options, some);
   print_pyramid(options.base, options.steps);
 }

@@ -62,6 +62,8 @@ auto for_each_of(std::size_t count, const F& f) {
 void print_contacts_row(const Options& options, const std::string& name, const Pairs& pairs);
 void print_motion_head();
 void print_motion_row(const Options& options, const std::string& name, const Pairs& pairs);
+/// A line on casts of pairs of all rows in no order.
+void print_mixed_casts(const Options& options, const std::vector<Pairs>& rows);
 /// A table of a pyramid with `base` boxes in its lowest row.
 void print_pyramid(std::size_t base, std::size_t steps);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "plane/batch_parts.hpp"
 #include "plane/pairs/pair_queues.hpp"
 #include "plane/pairs/store_kernels.hpp"
 
@@ -10,31 +11,11 @@ namespace graze::plane {
 
 namespace {
 
-/// Pairs that a thread takes at a time. The cuts do not depend on the executor, and so neither do the arrays.
-constexpr std::size_t chunk_pairs = 4096;
-
 template <class T>
 void check_places(const Bodies<T>& bodies, const char* name, std::size_t pair, std::size_t i) {
   if (i < bodies.size()) return;
   validate::fail("pairs[" + std::to_string(pair) + "]." + name, "a place below " + std::to_string(bodies.size()),
                  static_cast<double>(i));
-}
-
-/// Calls `question(a, pose_a, b, pose_b)` for one pair.
-template <class T, class Question>
-auto ask(const Batch<T>& batch, std::size_t i, const Question& question) {
-  const IdPair p = batch[i];
-  return batch.a().visit(p.a, [&](const Shape<T>& a) {
-    return batch.b().visit(p.b,
-                           [&](const Shape<T>& b) { return question(a, batch.a().pose(p.a), b, batch.b().pose(p.b)); });
-  });
-}
-
-/// Calls `f(begin, end, chunk)` for the chunks of a batch.
-template <class F>
-void for_chunks(Executor* executor, std::size_t count, const F& f) {
-  SerialExecutor serial;
-  for_each_chunk(executor ? *executor : serial, count, chunk_pairs, f);
 }
 
 /// Appends the contacts of one pair that is computed by itself. `manifolds`: memory for that.

@@ -251,5 +251,111 @@ TYPED_TEST(PlaneBatch, RaysAreThoseOfEachAlone) {
   for (const auto& hit : hits) EXPECT_FALSE(hit.has_value());
 }
 
+/// Motions that meet or pass, some of which turn.
+template <class T>
+std::vector<Velocity<T>> make_velocities(std::size_t count, std::mt19937& random) {
+  std::vector<Velocity<T>> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2<T> linear = random_pose<T>(1, random).translation;
+    out.push_back({linear, random() % 3 == 0 ? static_cast<T>(random() % 7) / T(3) - T(1) : T(0)});
+  }
+  return out;
+}
+
+template <class T>
+void expect_casts_as_alone(const std::vector<std::optional<CastHit<T>>>& hits, const Batch<T>& batch,
+                           const std::vector<Velocity<T>>& of_a, const std::vector<Velocity<T>>& of_b,
+                           const CastOptions& options) {
+  ASSERT_EQ(hits.size(), batch.size());
+  std::size_t met = 0, turned = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const IdPair p = batch[i];
+    const Velocity<T>&va = of_a[of_a.size() == 1 ? 0 : p.a], &vb = of_b[of_b.size() == 1 ? 0 : p.b];
+    batch.a().visit(p.a, [&](const Shape<T>& a) {
+      batch.b().visit(p.b, [&](const Shape<T>& b) {
+        const auto alone = cast(a, batch.a().pose(p.a), va, b, batch.b().pose(p.b), vb, T(1), options);
+        ASSERT_EQ(hits[i].has_value(), alone.has_value()) << a.name() << " and " << b.name() << ", pair " << i;
+        if (!alone) return;
+        ++met;
+        turned += va.angular != 0 || vb.angular != 0;
+        EXPECT_TRUE(same_bits(hits[i]->t, alone->t));
+        EXPECT_TRUE(same_bits(hits[i]->depth, alone->depth));
+        expect_same(hits[i]->point, alone->point);
+        expect_same(hits[i]->normal, alone->normal);
+        EXPECT_EQ(hits[i]->status, alone->status);
+        EXPECT_EQ(hits[i]->piece_a, alone->piece_a);
+        EXPECT_EQ(hits[i]->piece_b, alone->piece_b);
+        if (::testing::Test::HasFailure()) FAIL() << a.name() << " and " << b.name() << ", pair " << i;
+      });
+    });
+  }
+  EXPECT_GT(met, batch.size() / 8);
+  EXPECT_LT(met, batch.size());
+  EXPECT_GT(turned, met / 8);
+}
+
+TYPED_TEST(PlaneBatch, CastsAreThoseOfEachAlone) {
+  using T = TypeParam;
+  std::mt19937 random(12);
+  std::vector<Shape<T>> shapes;
+  std::vector<Pose2<T>> poses;
+  make_bodies<T>(300, shapes, poses);
+  for (Pose2<T>& pose : poses) pose.translation = pose.translation * T(2);
+  const std::vector<Velocity<T>> velocities = make_velocities<T>(shapes.size(), random), one{velocities[0]};
+  const std::vector<IdPair> pairs = make_pairs<T>(shapes.size(), 5000);
+  const std::vector<Pose2<T>> moved(poses.rbegin(), poses.rend());
+  const Bodies<T> bodies(shapes, poses), others(shapes, moved);
+  FourThreads threads;
+  for (const Separating separating : {Separating::hit, Separating::ignored}) {
+    const CastOptions options{separating};
+    std::vector<std::optional<CastHit<T>>> hits;
+    cast(Batch<T>(bodies, bodies, pairs), velocities, velocities, T(1), hits, options);
+    expect_casts_as_alone(hits, Batch<T>(bodies, bodies, pairs), velocities, velocities, options);
+    cast(Batch<T>(bodies, bodies, pairs), velocities, velocities, T(1), hits, options, &threads);
+    expect_casts_as_alone(hits, Batch<T>(bodies, bodies, pairs), velocities, velocities, options);
+    cast(Batch<T>(bodies, others), one, velocities, T(1), hits, options);
+    expect_casts_as_alone(hits, Batch<T>(bodies, others), one, velocities, options);
+  }
+  // One kind a side, held tightly.
+  const std::vector<Box<T>> boxes(poses.size(), Box<T>({T(1), T(0.5)}));
+  const std::vector<Circle<T>> circle(1, Circle<T>(T(0.8)));
+  const Batch<T> tight(Bodies<T>(circle, poses), Bodies<T>(boxes, poses), pairs);
+  std::vector<std::optional<CastHit<T>>> hits;
+  cast(tight, velocities, velocities, T(1), hits);
+  expect_casts_as_alone(hits, tight, velocities, velocities, {});
+  const std::vector<Velocity<T>> too_few(2);
+  EXPECT_THROW(cast(tight, too_few, velocities, T(1), hits), InvalidValue);
+  EXPECT_THROW(cast(tight, velocities, too_few, T(1), hits), InvalidValue);
+}
+
+TYPED_TEST(PlaneBatch, NearestPointsAreThoseOfEachAlone) {
+  using T = TypeParam;
+  std::mt19937 random(13);
+  FourThreads threads;
+  for (int kind = 0; kind < figure_kinds; ++kind) {
+    const Shape<T> shape = random_figure<T>(kind, 1, random).shape;
+    const Pose2<T> pose = random_pose<T>(1, random);
+    std::vector<Vec2<T>> points;
+    for (int i = 0; i < 5000; ++i) points.push_back(random_pose<T>(1, random).translation);
+    std::vector<Closest<T>> one(points.size()), four(points.size());
+    closest(shape, pose, points, one);
+    closest(shape, pose, points, four, &threads);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Closest<T> alone = closest(shape, pose, points[i]);
+      for (const Closest<T>& found : {one[i], four[i]}) {
+        ASSERT_TRUE(same_bits(found.distance, alone.distance)) << shape.name();
+        expect_same(found.point, alone.point);
+        expect_same(found.normal, alone.normal);
+        ASSERT_EQ(found.status, alone.status);
+        ASSERT_TRUE(same_bits(found.error, alone.error));
+      }
+    }
+    // Points without a place for their answer are left out.
+    std::vector<Closest<T>> few(2);
+    closest(shape, pose, points, few);
+    EXPECT_TRUE(same_bits(few[1].distance, one[1].distance));
+  }
+}
+
 }  // namespace
 }  // namespace graze::plane

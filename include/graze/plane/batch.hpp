@@ -152,6 +152,24 @@ GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distanc
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
 
+/// Sets `hits[i]` to the first contact of the i-th pair at a time in [0, duration], as `cast` gives it; none where there
+/// is no contact. `velocities_a` and `velocities_b` are those of the bodies of `batch.a()` and `batch.b()`: as many as
+/// bodies, or one for all of them. Throws `InvalidValue` for numbers that do not match. With an executor, on its
+/// threads. Cost: that of the casts one by one.
+template <class T>
+GRAZE_API void cast(const Batch<T>& batch, std::type_identity_t<std::span<const Velocity<T>>> velocities_a,
+                    std::type_identity_t<std::span<const Velocity<T>>> velocities_b, std::type_identity_t<T> duration,
+                    std::vector<std::optional<CastHit<T>>>& hits, const CastOptions& options = {},
+                    Executor* executor = nullptr);
+
+/// Writes the nearest point of the shape's surface for each of `points`, as `closest` gives it, to the entry of `found`
+/// at the point's index. Points beyond the end of `found` are left out. With an executor, on its threads.
+/// Cost: that of the points one by one.
+template <class T>
+GRAZE_API void closest(const Shape<T>& shape, const Pose2<T>& pose,
+                       std::type_identity_t<std::span<const Vec2<T>>> points,
+                       std::type_identity_t<std::span<Closest<T>>> found, Executor* executor = nullptr);
+
 /// Writes the first hit of each ray with 0 <= t <= `length`, as `raycast` defines it, to the entry of `hits` at the
 /// ray's index. Rays beyond the end of `hits` are left out. At boxes and convex polygons without rounding many rays at
 /// a time.
