@@ -120,35 +120,42 @@ Pose2<T> random_pose(double scale, std::mt19937& random) {
   return {{static_cast<T>(2 * scale * x), static_cast<T>(2 * scale * y)}, Rot2<T>::from_angle(static_cast<T>(angle))};
 }
 
+/// A pose in extended precision, with a rotation of unit length.
+struct WidePose {
+  Wide x = 0, y = 0, cosine = 1, sine = 0;
+};
+
+template <class T>
+WidePose wide(const Pose2<T>& pose) {
+  const Wide c = pose.rotation.cosine, s = pose.rotation.sine, l = std::sqrt(c * c + s * s);
+  return {pose.translation.x, pose.translation.y, c / l, s / l};
+}
+
 /// The separation of two placed figures along a unit vector, as a function of its components.
 template <class T>
+auto separation_of(const Figure<T>& a, const WidePose& at_a, const Figure<T>& b, const WidePose& at_b) {
+  return [&a, &b, at_a, at_b](Wide x, Wide y) {
+    return (at_b.x - at_a.x) * x + (at_b.y - at_a.y) * y -
+           a.reach(at_a.cosine * x + at_a.sine * y, at_a.cosine * y - at_a.sine * x) -
+           b.reach(-(at_b.cosine * x + at_b.sine * y), -(at_b.cosine * y - at_b.sine * x));
+  };
+}
+template <class T>
 auto separation_of(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>& b, const Pose2<T>& pose_b) {
-  const auto turned = [](const Pose2<T>& pose) {
-    const Wide c = pose.rotation.cosine, s = pose.rotation.sine, l = std::sqrt(c * c + s * s);
-    return std::pair<Wide, Wide>{c / l, s / l};
-  };
-  const auto [ca, sa] = turned(pose_a);
-  const auto [cb, sb] = turned(pose_b);
-  const Wide dx = Wide(pose_b.translation.x) - Wide(pose_a.translation.x),
-             dy = Wide(pose_b.translation.y) - Wide(pose_a.translation.y);
-  return [&a, &b, dx, dy, ca = ca, sa = sa, cb = cb, sb = sb](Wide x, Wide y) {
-    return dx * x + dy * y - a.reach(ca * x + sa * y, ca * y - sa * x) -
-           b.reach(-(cb * x + sb * y), -(cb * y - sb * x));
-  };
+  return separation_of(a, wide(pose_a), b, wide(pose_b));
 }
 
 /// The signed distance of two placed figures, by a sweep over directions and a search about each that may be best.
 template <class T>
-Wide swept_distance(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>& b, const Pose2<T>& pose_b) {
-  const auto along = separation_of(a, pose_a, b, pose_b);
+Wide swept_distance(const Figure<T>& a, const WidePose& at_a, const Figure<T>& b, const WidePose& at_b) {
+  const auto along = separation_of(a, at_a, b, at_b);
   const auto gap = [&](Wide angle) { return along(std::cos(angle), std::sin(angle)); };
   constexpr int samples = 720;
   const Wide step = 2 * std::acos(Wide(-1)) / samples;
   std::vector<Wide> value(samples);
   for (int i = 0; i < samples; ++i) value[i] = gap(step * i);
   const Wide most = *std::max_element(value.begin(), value.end());
-  const Wide between = std::hypot(Wide(pose_b.translation.x) - Wide(pose_a.translation.x),
-                                  Wide(pose_b.translation.y) - Wide(pose_a.translation.y));
+  const Wide between = std::hypot(at_b.x - at_a.x, at_b.y - at_a.y);
   const Wide change = 4 * step * (Wide(extent(a.shape) + extent(b.shape)) + between);
   Wide best = most;
   for (int i = 0; i < samples; ++i) {
@@ -166,6 +173,11 @@ Wide swept_distance(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>&
     best = std::max(best, gap((low + high) / 2));
   }
   return best;
+}
+
+template <class T>
+Wide swept_distance(const Figure<T>& a, const Pose2<T>& pose_a, const Figure<T>& b, const Pose2<T>& pose_b) {
+  return swept_distance(a, wide(pose_a), b, wide(pose_b));
 }
 
 }  // namespace graze::plane
