@@ -68,11 +68,11 @@ void Calls::plane() {
   GrazePlaneClosestd nearest[2];
   const GrazeVec2d asked[] = {ray.origin, ray.direction};
   const std::size_t stride = in.byte() < 8 ? sizeof ray : 0;
-  told(graze_plane_closest_batch_d(a, &pose_a, in.maybe(asked), 0, 2, in.maybe(nearest), 0));
+  told(graze_plane_closest_batch_d(a, &pose_a, in.maybe(asked), 0, 2, in.maybe(nearest), 0, nullptr));
   told(graze_plane_raycast_batch_d(b, in.maybe(&pose_b), in.maybe(&ray), stride, 1, in.length(), in.maybe(met), 0,
                                    in.maybe(&hit), 0));
   told(graze_plane_cast_batch_d(in.maybe(&fast), 0, &still, 0, 1, in.length(), in.choice<GrazeSeparating>(2),
-                                in.maybe(met), 0, in.maybe(met_at), 0));
+                                in.maybe(met), 0, in.maybe(met_at), 0, nullptr));
   told(graze_plane_cast_all_d(in.maybe(&fast), &still, 1, in.choice<GrazeSeparating>(2), in.maybe(buffer), &casts,
                               &count));
 }

@@ -1608,18 +1608,24 @@ typedef struct GrazePlaneBatchd {
 } GrazePlaneBatchd;
 
 GRAZE_C_API GrazeStatus graze_plane_batch_size_d(const GrazePlaneBatchd *batch, size_t *size);
-GRAZE_C_API GrazeStatus graze_plane_overlap_batch_d(const GrazePlaneBatchd *batch, uint8_t *touch, size_t stride);
+// `executor` may be null in all batches of the plane: the calling thread. The answers are the same; functions that a
+// shape calls back are called from its threads.
+GRAZE_C_API GrazeStatus graze_plane_overlap_batch_d(const GrazePlaneBatchd *batch, uint8_t *touch, size_t stride,
+                                                    const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_distance_batch_d(const GrazePlaneBatchd *batch, GrazePlaneDistanced *distances,
-                                                     size_t stride);
+                                                     size_t stride, const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_d(const GrazePlaneBatchd *batch, double margin,
-                                                     GrazeBufferd *buffer, GrazePlaneBatchContactsd *contacts);
+                                                     GrazeBufferd *buffer, GrazePlaneBatchContactsd *contacts,
+                                                     const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_reduced_d(const GrazePlaneBatchd *batch, double margin, size_t most,
                                                              GrazeBufferd *buffer,
-                                                             GrazePlaneBatchContactsd *contacts);
+                                                             GrazePlaneBatchContactsd *contacts,
+                                                             const GrazeExecutor *executor);
 // Batches of one shape and many points or rays, and of many moving pairs, as in space.
 GRAZE_C_API GrazeStatus graze_plane_closest_batch_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                     const GrazeVec2d *points, size_t point_stride, size_t count,
-                                                    GrazePlaneClosestd *closest, size_t closest_stride);
+                                                    GrazePlaneClosestd *closest, size_t closest_stride,
+                                                    const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_raycast_batch_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                     const GrazePlaneRayd *rays, size_t ray_stride, size_t count,
                                                     double length, uint8_t *found, size_t found_stride,
@@ -1627,7 +1633,8 @@ GRAZE_C_API GrazeStatus graze_plane_raycast_batch_d(const GrazePlaneShaped *shap
 GRAZE_C_API GrazeStatus graze_plane_cast_batch_d(const GrazePlaneMovingd *a, size_t a_stride,
                                                  const GrazePlaneMovingd *b, size_t b_stride, size_t count,
                                                  double duration, GrazeSeparating separating, uint8_t *found,
-                                                 size_t found_stride, GrazePlaneCastHitd *hits, size_t hit_stride);
+                                                 size_t found_stride, GrazePlaneCastHitd *hits, size_t hit_stride,
+                                                 const GrazeExecutor *executor);
 
 // Propagation of impacts and free motion in the plane (graze/plane/blows.hpp, graze/plane/free_motion.hpp), as in
 // space.
@@ -2989,17 +2996,21 @@ typedef struct GrazePlaneBatchf {
 } GrazePlaneBatchf;
 
 GRAZE_C_API GrazeStatus graze_plane_batch_size_f(const GrazePlaneBatchf *batch, size_t *size);
-GRAZE_C_API GrazeStatus graze_plane_overlap_batch_f(const GrazePlaneBatchf *batch, uint8_t *touch, size_t stride);
+GRAZE_C_API GrazeStatus graze_plane_overlap_batch_f(const GrazePlaneBatchf *batch, uint8_t *touch, size_t stride,
+                                                    const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_distance_batch_f(const GrazePlaneBatchf *batch, GrazePlaneDistancef *distances,
-                                                     size_t stride);
+                                                     size_t stride, const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_f(const GrazePlaneBatchf *batch, float margin,
-                                                     GrazeBufferf *buffer, GrazePlaneBatchContactsf *contacts);
+                                                     GrazeBufferf *buffer, GrazePlaneBatchContactsf *contacts,
+                                                     const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_reduced_f(const GrazePlaneBatchf *batch, float margin, size_t most,
                                                              GrazeBufferf *buffer,
-                                                             GrazePlaneBatchContactsf *contacts);
+                                                             GrazePlaneBatchContactsf *contacts,
+                                                             const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_closest_batch_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                                     const GrazeVec2f *points, size_t point_stride, size_t count,
-                                                    GrazePlaneClosestf *closest, size_t closest_stride);
+                                                    GrazePlaneClosestf *closest, size_t closest_stride,
+                                                    const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_raycast_batch_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                                     const GrazePlaneRayf *rays, size_t ray_stride, size_t count,
                                                     float length, uint8_t *found, size_t found_stride,
@@ -3007,7 +3018,8 @@ GRAZE_C_API GrazeStatus graze_plane_raycast_batch_f(const GrazePlaneShapef *shap
 GRAZE_C_API GrazeStatus graze_plane_cast_batch_f(const GrazePlaneMovingf *a, size_t a_stride,
                                                  const GrazePlaneMovingf *b, size_t b_stride, size_t count,
                                                  float duration, GrazeSeparating separating, uint8_t *found,
-                                                 size_t found_stride, GrazePlaneCastHitf *hits, size_t hit_stride);
+                                                 size_t found_stride, GrazePlaneCastHitf *hits, size_t hit_stride,
+                                                 const GrazeExecutor *executor);
 
 typedef struct GrazePlaneMotionf {
   GrazeVec2f linear;

@@ -433,12 +433,12 @@ static void test_plane(void) {
   batch.a = graze_plane_bodies_d(shapes, 1, &here, 1);
   batch.b = graze_plane_bodies_d(shapes, 2, poses, 2);
   uint8_t touch[2];
-  OK(graze_plane_overlap_batch_d(&batch, touch, 0));
+  OK(graze_plane_overlap_batch_d(&batch, touch, 0, NULL));
   EXPECT(touch[0] == 0 && touch[1] == 1);
   const GrazeIdPair places[1] = {{0, 2}};
   batch.places = places;
   batch.place_count = 1;
-  REFUSED(graze_plane_overlap_batch_d(&batch, touch, 0), "batch.places[0].b: expected a place in batch.b, got 2");
+  REFUSED(graze_plane_overlap_batch_d(&batch, touch, 0, NULL), "batch.places[0].b: expected a place in batch.b, got 2");
   const GrazePose2d none = {{0, 0}, {0, 0}};
   REFUSED(graze_plane_distance_d(box, &none, circle, &there, &d),
           "pose_a.rotation: expected a unit vector of cosine and sine, got [0, 0]");

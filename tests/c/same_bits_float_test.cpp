@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 #include <string>
+#include <thread>
 
 #include "common/specimen.hpp"
 #include "graze/graze.h"
