@@ -29,6 +29,22 @@ class TaperedPrism final : public SupportFunction<T> {
   T depth_;
 };
 
+/// The prism |z| <= depth over an ellipse.
+template <class T>
+class EllipticPrism final : public SupportFunction<T> {
+ public:
+  EllipticPrism(const Vec3<T>& radii, T depth) : radii_(radii), depth_(depth) {}
+  Vec3<T> support(const Vec3<T>& d) const override {
+    const Vec3<T> scaled{radii_.x * d.x, radii_.y * d.y, T(0)};
+    const Vec3<T> unit = scaled == Vec3<T>{} ? Vec3<T>{T(0), T(1), T(0)} : normalized(scaled);
+    return {radii_.x * unit.x, radii_.y * unit.y, d.z < T(0) ? -depth_ : depth_};
+  }
+
+ private:
+  Vec3<T> radii_;
+  T depth_;
+};
+
 template <class T>
 std::vector<Vec3<T>> read_plane_points(const JsonValue& json, std::optional<std::size_t> count = {}) {
   std::vector<Vec3<T>> points;
@@ -84,11 +100,12 @@ Shape<T> read_figure(const JsonValue& json, T depth) {
   if (!json.json().is_object()) json.fail("an object");
   const JsonValue type = json.at("type");
   const std::string name = type.json().is_string() ? type.string() : "";
-  static constexpr const char* names[] = {"circle", "box", "capsule", "plane", "convex", "segment", "compound"};
+  static constexpr const char* names[] = {"circle", "box",     "capsule", "plane",
+                                          "convex", "segment", "ellipse", "compound"};
   const char* known = nullptr;
   for (const char* n : names)
     if (name == n) known = n;
-  if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, compound");
+  if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, ellipse, compound");
   name == "compound" ? json.keys({"type", known}) : json.keys({"type", known, "margin"});
   T margin(0);
   if (const auto m = json.find("margin")) margin = m->length<T>();
@@ -106,6 +123,12 @@ Shape<T> read_figure(const JsonValue& json, T depth) {
     own.keys({"size"});
     const auto size = own.at("size").elements(2);
     return {Box<T>({size[0].length<T>(), size[1].length<T>(), T(2) * depth}), margin};
+  }
+  if (name == "ellipse") {
+    own.keys({"radii"});
+    const auto radii = own.at("radii").elements(2);
+    const Vec3<T> of_axes{radii[0].length<T>(), radii[1].length<T>(), T(0)};
+    return {UserConvex<T>(std::make_shared<EllipticPrism<T>>(of_axes, depth)), margin};
   }
   if (name == "capsule") return read_capsule<T>(own, depth, margin);
   if (name == "compound") return read_children<T>(own, depth);

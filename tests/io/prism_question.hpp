@@ -5,8 +5,8 @@
 
 namespace graze::io {
 
-/// Reads a question with `"dimension": 2` of circles, boxes, capsules, half-planes, hulls, segments and compounds; each
-/// figure becomes a prism that is deeper than any overlap in the plane can reach.
+/// Reads a question with `"dimension": 2` of circles, boxes, capsules, half-planes, hulls, segments, ellipses and
+/// compounds; each figure becomes a prism that is deeper than any overlap in the plane can reach.
 template <class T>
 Question<T> read_prism_question(const JsonValue& json);
 
