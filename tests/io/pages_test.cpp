@@ -1,12 +1,17 @@
 // What the pages show of the query protocol is what the library answers.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <vector>
 
+#include "graze/io/plane_simulate.hpp"
 #include "graze/io/protocol.hpp"
+#include "io/answer.hpp"
 
 namespace graze::io {
 namespace {
@@ -68,6 +73,61 @@ TEST(Pages, TheQuestionsBesideThePagesAreAnswered) {
       EXPECT_FALSE(answer_line(line, Precision::double_precision).error) << line;
     EXPECT_GE(asked, 3u) << page;
   }
+}
+
+/// Whether `shown` is what a page may show of `whole`: parts of it, with numbers that differ by less than a unit of the
+/// fifth digit of the largest beside them, or of the last that a page prints.
+::testing::AssertionResult shown_of(const Json& shown, const Json& whole) {
+  if (shown.is_object()) {
+    for (const auto& [key, value] : shown.items()) {
+      if (!whole.contains(key)) return ::testing::AssertionFailure() << "no " << key;
+      if (const auto part = shown_of(value, whole[key]); !part) return part;
+    }
+    return ::testing::AssertionSuccess();
+  }
+  if (shown.is_array()) {
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      if (i >= whole.size()) return ::testing::AssertionFailure() << "no entry " << i;
+      if (const auto part = shown_of(shown[i], whole[i]); !part) return part;
+    }
+    return ::testing::AssertionSuccess();
+  }
+  const bool same = !shown.is_number() ? shown == whole
+                                       : std::abs(shown.get<double>() - whole.get<double>()) <=
+                                             1e-5 * std::abs(whole.get<double>()) + 6e-4;
+  return same ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << shown << " is shown for " << whole;
+}
+
+TEST(Pages, ThePlayedDrawingIsAsShown) {
+  std::size_t shown = 0;
+  for (const auto& block : blocks("docs/plane.md", "json")) {
+    std::string text;
+    for (const std::string& line : block) text += line + "\n";
+    const Json frame = Json::parse(text);
+    if (!frame.contains("time")) continue;
+    ++shown;
+    const PlaneScene scene =
+        load_plane_scene(std::filesystem::path(GRAZE_SOURCE_DIR) / "examples" / "scenes" / "plane.svg");
+    SimulateOptions options{.seconds = 1};
+    options.gravity = {scene.gravity->x, scene.gravity->y, 0};
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("graze_page_" + std::to_string(getpid()) + ".jsonl");
+    const auto recording = record(file, scene);
+    simulate(scene, options, [&](const PlaneSimulationFrame& played) { recording->add(played); });
+    recording->close();
+    std::ifstream in(file);
+    bool found = false;
+    for (std::string line; std::getline(in, line);) {
+      const Json played = Json::parse(line);
+      if (std::abs(played["time"].get<double>() - frame["time"].get<double>()) > 1e-6) continue;
+      found = true;
+      EXPECT_TRUE(shown_of(frame, played));
+    }
+    EXPECT_TRUE(found);
+    in.close();
+    std::filesystem::remove(file);
+  }
+  EXPECT_EQ(shown, 1u);
 }
 
 }  // namespace
