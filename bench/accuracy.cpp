@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <regex>
 
+#include "accuracy_plane.hpp"
 #include "accuracy_truth.hpp"
 #include "command_line.hpp"
 #include "judges.hpp"
@@ -265,6 +266,7 @@ margins of Bullet are 0, so that its shapes are those of everybody else.
         tables.ray);
   print("Time of impact",
         "Of a shape that moves without turning: how far the two are apart, or deep, at the time told.", tables.cast);
+  plane::print_accuracy(options.pairs / 20, only);
 }
 
 }  // namespace
