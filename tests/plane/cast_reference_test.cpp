@@ -100,7 +100,7 @@ TYPED_TEST(PlaneCastReference, OfBodiesThatTurn) { expect_casts_as_by_reference<
 
 /// A half-plane below a line, and a figure: how far the figure is above it.
 template <class T>
-Wide above(const Figure<T>& figure, const WidePose& at, Wide rounding, const WidePose& ground) {
+Wide height_above(const Figure<T>& figure, const WidePose& at, Wide rounding, const WidePose& ground) {
   const Wide x = -ground.sine, y = ground.cosine;
   return (at.x - ground.x) * x + (at.y - ground.y) * y - rounding -
          figure.reach(-(at.cosine * x + at.sine * y), -(at.cosine * y - at.sine * x));
@@ -127,7 +127,7 @@ TYPED_TEST(PlaneCastReference, OfHalfPlanes) {
     const auto hit =
         cast<T>({HalfPlane<T>(), rounding}, pose_of_ground, of_ground, figure.shape, pose, of_figure, T(1));
     const auto distance_at = [&](Wide t) {
-      return above(figure, wide_at(pose, of_figure, t), rounding, wide_at(pose_of_ground, of_ground, t));
+      return height_above(figure, wide_at(pose, of_figure, t), rounding, wide_at(pose_of_ground, of_ground, t));
     };
     // The half-plane has no end: how fast its boundary comes near depends on how far away the figure is.
     const Wide size = furthest_reach(figure), between = 5 * scale + 8 * scale, way = 12 * scale,

@@ -11,7 +11,7 @@ class PlaneManyVertices : public ::testing::Test {};
 using ManyVertexScalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneManyVertices, ManyVertexScalars);
 
-constexpr std::size_t many = 10000;
+constexpr std::size_t vertex_count = 10000;
 
 /// How far an answer may be off, relative to a size of one: a distance and the place of a ray's hit, and that of a cast.
 template <class T>
@@ -27,8 +27,8 @@ constexpr Wide cast_off<float> = 2e-5L;
 template <class T>
 std::vector<Vec2<T>> points_around(double waves) {
   std::vector<Vec2<T>> out;
-  for (std::size_t i = 0; i < many; ++i) {
-    const double angle = 2 * std::acos(-1.0) * double(i) / many, r = 1 + waves * std::sin(25 * angle);
+  for (std::size_t i = 0; i < vertex_count; ++i) {
+    const double angle = 2 * std::acos(-1.0) * double(i) / vertex_count, r = 1 + waves * std::sin(25 * angle);
     out.push_back({static_cast<T>(r * std::cos(angle)), static_cast<T>(r * std::sin(angle))});
   }
   return out;
@@ -58,7 +58,7 @@ Wide distance_to(const Outlined<T>& shape, const Pose2<T>& pose, const Vec2<T>& 
 }
 
 template <class T>
-const std::vector<Outlined<T>>& outlined() {
+const std::vector<Outlined<T>>& shapes_of_many() {
   static const std::vector<Outlined<T>> all = outlined_by_many<T>();
   return all;
 }
@@ -73,7 +73,7 @@ Vec2<T> random_point(double reach, std::mt19937& random) {
 TYPED_TEST(PlaneManyVertices, NearestPoints) {
   using T = TypeParam;
   std::mt19937 random(81);
-  for (const Outlined<T>& shape : outlined<T>())
+  for (const Outlined<T>& shape : shapes_of_many<T>())
     for (int i = 0; i < 60; ++i) {
       const Pose2<T> pose = random_pose<T>(0.2, random);
       const Vec2<T> p = random_point<T>(1.5, random);
@@ -88,7 +88,7 @@ TYPED_TEST(PlaneManyVertices, Rays) {
   using T = TypeParam;
   std::mt19937 random(82);
   int hits = 0, misses = 0;
-  for (const Outlined<T>& shape : outlined<T>())
+  for (const Outlined<T>& shape : shapes_of_many<T>())
     for (int i = 0; i < 60; ++i) {
       const Pose2<T> pose = random_pose<T>(0.2, random);
       const Vec2<T> origin = random_point<T>(3, random), target = random_point<T>(1.4, random);
@@ -117,7 +117,7 @@ TYPED_TEST(PlaneManyVertices, ContactsOfADisc) {
   using T = TypeParam;
   std::mt19937 random(83);
   int met = 0, apart = 0;
-  for (const Outlined<T>& shape : outlined<T>())
+  for (const Outlined<T>& shape : shapes_of_many<T>())
     for (int i = 0; i < 60; ++i) {
       const Pose2<T> pose = random_pose<T>(0.2, random);
       const T radius = T(0.05);
@@ -149,7 +149,7 @@ TYPED_TEST(PlaneManyVertices, CastsOfADisc) {
   using T = TypeParam;
   std::mt19937 random(84);
   int hits = 0, misses = 0;
-  for (const Outlined<T>& shape : outlined<T>())
+  for (const Outlined<T>& shape : shapes_of_many<T>())
     for (int i = 0; i < 40; ++i) {
       const Pose2<T> pose = random_pose<T>(0.2, random);
       const T radius = T(0.05);
@@ -184,7 +184,7 @@ TYPED_TEST(PlaneManyVertices, EachOther) {
   using T = TypeParam;
   const auto circle = points_around<T>(0);
   const Shape<T> polygon = ConvexPolygon<T>(circle);
-  const double sagitta = 1 - std::cos(std::acos(-1.0) / many), off = 2 * sagitta + double(far_off<T>);
+  const double sagitta = 1 - std::cos(std::acos(-1.0) / vertex_count), off = 2 * sagitta + double(far_off<T>);
   for (const double x : {2.5, 2.1, 1.9, 1.2}) {
     const Pose2<T> there{{static_cast<T>(0.6 * x), static_cast<T>(0.8 * x)}, Rot2<T>::from_angle(T(0.1))};
     Manifolds<T> manifolds;
