@@ -98,8 +98,9 @@ struct Closest {
   T error{};  ///< as in `Distance`
 };
 
-/// The point of the shape's surface nearest to `point`, and the signed distance to it. A `trace` is filled after the
-/// answer.
+/// The point of the shape's surface nearest to `point`, and the signed distance to it. Where children of a compound or
+/// rounded segments of a chain lie over each other, a point inside is answered for the one in which it lies deepest by
+/// itself. A `trace` is filled after the answer.
 template <class T>
 GRAZE_API Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace = nullptr);
 
