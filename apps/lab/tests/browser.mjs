@@ -10,6 +10,7 @@ import "./browser/scenes.mjs";
 import "./browser/viewer.mjs";
 import "./browser/files.mjs";
 import "./browser/captures.mjs";
+import "./browser/stages.mjs";
 import "./browser/axes-lessons.mjs";
 import "./browser/iterations-lessons.mjs";
 import "./browser/other-lessons.mjs";

@@ -32,6 +32,10 @@ export class LabelPlaces {
   keep([x, y]: [number, number], half: number): void {
     this.taken.push(around(x, y, half));
   }
+  /** Keeps labels off a rectangle of the stage. */
+  keepBox(box: Box): void {
+    this.taken.push(box);
+  }
   /** Keeps labels off a line: off squares along it that are closer to each other than a letter is wide. */
   keepLine(from: [number, number], to: [number, number], half: number): void {
     const along = [to[0] - from[0], to[1] - from[1]], count = Math.min(100, Math.ceil(Math.hypot(...along) / 8));

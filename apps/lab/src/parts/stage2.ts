@@ -5,22 +5,16 @@ import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Handles } from "./handles.ts";
 import { LabelPlaces } from "./labels.ts";
 import { outlines, type Outline } from "./outline.ts";
+import { roundStep, scaleBar } from "./scale-bar.ts";
 import { add, length, scale, sub, unit } from "./vec.ts";
 import type { Vec } from "../question.ts";
-
-/** A round number that fits about five times into `span`. */
-function roundStep(span: number): number {
-  const rough = span / 5, power = 10 ** Math.floor(Math.log10(rough));
-  const lead = rough / power;
-  return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-}
 
 export class Stage2 implements Stage, Drawing {
   readonly element = h("div", { class: "stage stage2" });
   onDrag: (id: string, to: Vec, done: boolean) => void = () => {};
   onPoint: (key: string | null) => void = () => {};
   onCamera: () => void = () => {};
-  private readonly picture = svg("svg", { role: "img" });
+  private readonly picture = svg("svg", { role: "img", tabindex: 0 });
   private readonly handles: Handles;
   private readonly observer: ResizeObserver;
   private view: View = { center: [0, 0], reach: 3 };
@@ -56,6 +50,8 @@ export class Stage2 implements Stage, Drawing {
       const key = (event.target as Element).closest?.("[data-key]")?.getAttribute("data-key") ?? null;
       if (key !== this.lit) this.onPoint(key);
     });
+    this.picture.addEventListener("pointerleave", () => this.lit !== null && this.onPoint(null));
+    this.picture.addEventListener("keydown", (event) => this.moveCamera(event));
     this.panAndZoom();
   }
 
@@ -157,11 +153,7 @@ export class Stage2 implements Stage, Drawing {
       const [, py] = this.pixel([0, y]);
       group.append(svg("line", { x1: 0, x2: this.size[0], y1: py, y2: py, class: Math.abs(y) < step / 2 ? "zero" : "" }));
     }
-    const length = step * this.unitPixels(), y = this.size[1] - 14;
-    group.append(
-      svg("path", { class: "bar", d: `M12 ${y - 5}v5h${length}v-5` }),
-      svg("text", { x: 16, y: y - 4 }, String(Number(step.toPrecision(3)))),
-    );
+    group.append(...scaleBar(step, step * this.unitPixels(), this.size[1] - 14));
     return group;
   }
 
@@ -216,6 +208,16 @@ export class Stage2 implements Stage, Drawing {
     this.texts.push({ at, text, meaning });
   }
 
+  /** Arrows push the picture about, + and − bring it nearer and further away. */
+  private moveCamera(event: KeyboardEvent): void {
+    const pushes: Record<string, Vec> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+    const push = pushes[event.key];
+    if (push) this.view.center = add(this.view.center, scale(push, this.view.reach));
+    else if (event.key === "+" || event.key === "-") this.view.reach *= event.key === "+" ? 0.9 : 1.1;
+    else return;
+    event.preventDefault();
+    this.cameraMoved();
+  }
   private panAndZoom(): void {
     const pointers = new Map<number, [number, number]>();
     const spread = (): number => {

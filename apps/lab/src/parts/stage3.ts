@@ -5,6 +5,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import { Axes } from "./axes.ts";
 import { h } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Crowd } from "./crowd.ts";
@@ -13,11 +14,13 @@ import { LabelPlaces } from "./labels.ts";
 import { Paints } from "./paints.ts";
 import { color, onTheme } from "./theme.ts";
 import { solidOf, type Solid } from "./solid.ts";
-import { length, sub, toWorld } from "./vec.ts";
+import { length, mix, sub, toWorld } from "./vec.ts";
 import type { Body, Vec } from "../question.ts";
 
 /** The angle that is seen of the lesser of width and height, in degrees. */
 const fieldOfView = 40;
+/** The pixel of what lies behind the camera. */
+const nowhere: [number, number] = [-1000, -1000];
 const v3 = (p: Vec): THREE.Vector3 => new THREE.Vector3(p[0], p[1], p[2] ?? 0);
 
 export class Stage3 implements Stage, Drawing {
@@ -34,6 +37,7 @@ export class Stage3 implements Stage, Drawing {
   readonly crowd = new Crowd();
   private readonly canvas = document.createElement("canvas");
   private readonly labels = h("div", { class: "labels", "aria-hidden": "true" });
+  private readonly axes = new Axes();
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
   private readonly eye = new THREE.PerspectiveCamera(fieldOfView, 1, 0.01, 5000);
@@ -47,6 +51,9 @@ export class Stage3 implements Stage, Drawing {
   private texts: { at: Vec; text: string; meaning: Meaning; from?: Vec }[] = [];
   private picks: THREE.Object3D[] = [];
   private dots: { at: Vec; key: string }[] = [];
+  /** Lines and faces that have a key. */
+  private keyedLines: { ends: [Vec, Vec]; key: string }[] = [];
+  private keyedFaces: THREE.Mesh[] = [];
   /** The places of points that are drawn big, and the ends of lines that are drawn wide. */
   private spots: Vec[] = [];
   private wide: [Vec, Vec][] = [];
@@ -72,7 +79,7 @@ export class Stage3 implements Stage, Drawing {
       },
       (id, to, done) => this.onDrag(id, to, done),
     );
-    this.element.append(this.canvas, this.labels, this.handles.element);
+    this.element.append(this.canvas, this.axes.element, this.labels, this.handles.element);
     this.controls = new OrbitControls(this.eye, this.canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.request());
@@ -100,6 +107,8 @@ export class Stage3 implements Stage, Drawing {
       if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) this.pick(event);
       down = null;
     });
+    this.canvas.addEventListener("pointermove", (event) => event.buttons === 0 && this.pointTo(event));
+    this.canvas.addEventListener("pointerleave", (event) => event.pointerType === "mouse" && this.pointTo(null));
   }
 
   dispose(): void {
@@ -183,7 +192,9 @@ export class Stage3 implements Stage, Drawing {
     if (Array.isArray(body.rotation)) group.quaternion.set(...(body.rotation as [number, number, number, number])).normalize();
     const key = JSON.stringify(body.shape);
     const { faces, edges } = this.solid(key, body);
-    const opacity = look?.ghost ? 0.12 : look?.wide ? 1 : body.shape.type === "plane" ? 0.25 : 0.55;
+    const lit = look?.key !== undefined && look.key === this.lit;
+    const usual = look?.ghost && !lit ? 0.12 : look?.wide ? 1 : body.shape.type === "plane" ? 0.25 : 0.55;
+    const opacity = lit ? Math.min(1, usual + 0.2) : usual;
     const material = this.paints.of("faces", { color: color(meaning), opacity }, (paint) => new THREE.MeshLambertMaterial({
       ...paint, transparent: opacity < 1, side: THREE.DoubleSide, depthWrite: opacity === 1,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
@@ -191,11 +202,19 @@ export class Stage3 implements Stage, Drawing {
     const mesh = new THREE.Mesh(faces, material);
     mesh.userData.body = this.picks.length;
     this.picks.push(mesh);
+    this.keep(mesh, look);
     group.add(mesh);
-    group.add(new THREE.LineSegments(edges, this.paints.of("edges", { color: color(meaning), opacity: look?.ghost ? 0.35 : 1 },
+    group.add(new THREE.LineSegments(edges, this.paints.of("edges", { color: color(meaning), opacity: look?.ghost && !lit ? 0.35 : 1 },
       (paint) => new THREE.LineBasicMaterial({ ...paint, transparent: true }))));
     this.drawn.add(group);
+    if (lit) this.drawEdges(edges, group, meaning);
     if (look?.label) this.texts.push({ at: body.translation ?? [0, 0, 0], text: look.label, meaning });
+  }
+  /** The edges of a shape that is lit, as wide lines. */
+  private drawEdges(edges: THREE.BufferGeometry, { position, quaternion }: THREE.Object3D, meaning: Meaning): void {
+    const ends = edges.getAttribute("position"), corner = new THREE.Vector3();
+    const { positions } = this.linesOf(meaning, { wide: true });
+    for (let i = 0; i < ends.count; i++) positions.push(...corner.fromBufferAttribute(ends, i).applyQuaternion(quaternion).add(position).toArray());
   }
   private forget(): void {
     for (const { faces, edges } of this.solids.values()) {
@@ -226,15 +245,21 @@ export class Stage3 implements Stage, Drawing {
   }
   line(from: Vec, to: Vec, meaning: Meaning, look: Look = {}, onTop = false): void {
     const lit = look.key !== undefined && look.key === this.lit, wide = look.wide || lit;
-    const kind = [meaning, look.ghost, look.dashed, wide, onTop].join();
-    let batch = this.lines.get(kind);
-    if (!batch) {
-      batch = { positions: [], meaning, look: { ...look, wide }, onTop: wide || onTop };
-      this.lines.set(kind, batch);
-    }
+    const batch = this.linesOf(meaning, { ...look, wide }, onTop);
+    if (look.key !== undefined) this.keyedLines.push({ ends: [from, to], key: look.key });
     if (look.wide) this.wide.push([from, to]);
     batch.positions.push(...v3(from).toArray(), ...v3(to).toArray());
     if (look.label) this.texts.push({ at: from.map((x, i) => (x + to[i]) / 2), text: look.label, meaning });
+  }
+  /** The lines of one look, which are drawn together. */
+  private linesOf(meaning: Meaning, look: Look, onTop = false): { positions: number[] } {
+    const kind = [meaning, look.ghost, look.dashed, look.wide, onTop].join();
+    let batch = this.lines.get(kind);
+    if (!batch) {
+      batch = { positions: [], meaning, look, onTop: look.wide || onTop };
+      this.lines.set(kind, batch);
+    }
+    return batch;
   }
   arrow(from: Vec, to: Vec, meaning: Meaning, look: Look = {}): void {
     this.line(from, to, meaning, { ...look, label: undefined }, true);
@@ -255,9 +280,11 @@ export class Stage3 implements Stage, Drawing {
     if (points.length > 2) {
       const geometry = new THREE.BufferGeometry().setFromPoints(points.map(v3));
       geometry.setIndex(points.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
-      const mesh = new THREE.Mesh(geometry, this.paints.of("polygon", { color: color(meaning), opacity: look?.ghost ? 0.1 : 0.35 },
+      const lit = look?.key !== undefined && look.key === this.lit;
+      const mesh = new THREE.Mesh(geometry, this.paints.of("polygon", { color: color(meaning), opacity: lit ? 0.6 : look?.ghost ? 0.1 : 0.35 },
         (paint) => new THREE.MeshBasicMaterial({ ...paint, transparent: true, side: THREE.DoubleSide, depthWrite: false })));
       mesh.userData.own = true;
+      this.keep(mesh, look);
       this.drawn.add(mesh);
     }
     points.forEach((p, i) => this.line(p, points[(i + 1) % points.length], meaning, { ...look, label: undefined }));
@@ -265,6 +292,12 @@ export class Stage3 implements Stage, Drawing {
   }
   text(at: Vec, text: string, meaning: Meaning): void {
     this.texts.push({ at, text, meaning });
+  }
+
+  private keep(faces: THREE.Mesh, look?: Look): void {
+    if (look?.key === undefined) return;
+    faces.userData.key = look.key;
+    this.keyedFaces.push(faces);
   }
 
   // --- Frames ---
@@ -279,6 +312,8 @@ export class Stage3 implements Stage, Drawing {
     this.texts = [];
     this.picks = [];
     this.dots = [];
+    this.keyedLines = [];
+    this.keyedFaces = [];
     this.spots = [];
     this.wide = [];
   }
@@ -288,7 +323,7 @@ export class Stage3 implements Stage, Drawing {
     this.clear();
     this.canvas.setAttribute("aria-label", says);
     paint(this);
-    this.axes();
+    this.ground();
     for (const { positions, meaning, look, onTop } of this.lines.values()) {
       const geometry = new LineSegmentsGeometry();
       geometry.setPositions(positions);
@@ -305,16 +340,22 @@ export class Stage3 implements Stage, Drawing {
     this.handles.show(handles);
     this.request();
   }
-  private axes(): void {
+  /** The ground's lines, and those of them on which a coordinate is zero. */
+  private ground(): void {
+    this.axes.element.toggleAttribute("hidden", !this.hasGrid);
     if (!this.hasGrid) return;
-    const grid = new THREE.GridHelper(this.reach * 8, 16);
-    // Lines through bodies that cross the ground would look like edges: they are drawn first, and all else hides them.
-    grid.material = this.paints.of("grid", { color: color("grid") },
-      (looks) => new THREE.LineBasicMaterial({ ...looks, depthTest: false, depthWrite: false }));
-    grid.renderOrder = -1;
-    grid.userData.own = true;
-    if (this.flat) grid.rotation.x = Math.PI / 2;
-    this.drawn.add(grid);
+    const half = this.reach * 4, grid = new THREE.GridHelper(2 * half, 16), corner = new THREE.Vector3(half, 0, 0);
+    const zero = new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(
+      [corner.clone().negate(), corner, new THREE.Vector3(0, 0, -half), new THREE.Vector3(0, 0, half)]));
+    for (const [lines, meaning] of [[grid, "grid"], [zero, "line"]] as const) {
+      // Lines through bodies that cross the ground would look like edges: they are drawn first, and all else hides them.
+      lines.material = this.paints.of("grid", { color: color(meaning) },
+        (looks) => new THREE.LineBasicMaterial({ ...looks, depthTest: false, depthWrite: false }));
+      lines.renderOrder = meaning === "grid" ? -2 : -1;
+      lines.userData.own = true;
+      if (this.flat) lines.rotation.x = Math.PI / 2;
+      this.drawn.add(lines);
+    }
   }
   private request(): void {
     if (this.waiting) return;
@@ -322,6 +363,7 @@ export class Stage3 implements Stage, Drawing {
       this.waiting = 0;
       this.renderer.render(this.scene, this.eye);
       this.handles.place();
+      if (this.hasGrid) this.axes.show(this.eye, this.controls.target, this.size[1], this.flat);
       this.placeTexts();
     });
   }
@@ -329,6 +371,7 @@ export class Stage3 implements Stage, Drawing {
     if (this.texts.length === 0) return;
     const places = new LabelPlaces(this.size);
     this.handles.keepFree(places);
+    if (this.hasGrid) places.keepBox(this.axes.taken(this.size[1]));
     for (const at of this.spots) places.keep(this.pixel(at), 6);
     for (const [from, to] of this.wide) places.keepLine(this.pixel(from), this.pixel(to), 3);
     this.texts.forEach(({ at, text, from }, i) => {
@@ -343,7 +386,7 @@ export class Stage3 implements Stage, Drawing {
   private pixel(p: Vec): [number, number] {
     this.eye.updateMatrixWorld();
     const q = v3(p).project(this.eye);
-    if (q.z > 1) return [-1000, -1000];
+    if (q.z > 1) return nowhere;
     return [((q.x + 1) / 2) * this.size[0], ((1 - q.y) / 2) * this.size[1]];
   }
   private caster(x: number, y: number): THREE.Raycaster {
@@ -358,12 +401,27 @@ export class Stage3 implements Stage, Drawing {
       new THREE.Plane().setFromNormalAndCoplanarPoint(normal, v3(near)), new THREE.Vector3());
     return hit ? hit.toArray() : near;
   }
+  /** The pixel of the stage below the pointer, and the number of pixels by which one may miss a point or a line. */
+  private under({ clientX, clientY, pointerType }: PointerEvent): [x: number, y: number, within: number] {
+    const frame = this.canvas.getBoundingClientRect();
+    return [clientX - frame.left, clientY - frame.top, pointerType === "touch" ? 16 : 7];
+  }
   private pick(event: PointerEvent): void {
-    const frame = this.canvas.getBoundingClientRect(), x = event.clientX - frame.left, y = event.clientY - frame.top;
-    const caster = this.caster(x, y);
+    const [x, y, within] = this.under(event), caster = this.caster(x, y);
     const [first] = caster.intersectObjects(this.picks, false);
     this.onPick(first ? (first.object.userData.body as number) : this.crowd.pick(caster),
-      { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() }, this.dotAt(x, y, event.pointerType === "touch" ? 16 : 7));
+      { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() }, this.dotAt(x, y, within));
+    if (event.pointerType === "touch") this.pointTo(event);
+  }
+  /** Says which key is below the pointer: that of a point, a line or a face, in this order. */
+  private pointTo(event: PointerEvent | null): void {
+    const [x, y, within] = event ? this.under(event) : [0, 0, 0];
+    const key = event && (this.dotAt(x, y, within) ?? this.lineAt(x, y, within) ?? this.faceAt(x, y));
+    if (key !== this.lit) this.onPoint(key);
+  }
+  /** For the tests: the key and the pixel of the middle of each line that has one. */
+  get linesSeen(): { key: string; at: [number, number] }[] {
+    return this.keyedLines.map(({ ends: [from, to], key }) => ({ key, at: this.pixel(mix(from, to, 0.5)) }));
   }
   /** For the tests: the pixels of the points that have a key. */
   get pointsSeen(): [number, number][] {
@@ -377,6 +435,25 @@ export class Stage3 implements Stage, Drawing {
       if (away < least) [key, least] = [dot.key, away];
     }
     return key;
+  }
+  /** The key of the line nearest to a pixel, at most `within` pixels away. */
+  private lineAt(x: number, y: number, within: number): string | null {
+    let key: string | null = null, least = within;
+    for (const line of this.keyedLines) {
+      const ends = line.ends.map((end) => this.pixel(end));
+      if (ends.includes(nowhere)) continue;
+      const [[x1, y1], [x2, y2]] = ends;
+      const squared = (x2 - x1) ** 2 + (y2 - y1) ** 2, along = squared > 0 ? ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / squared : 0;
+      const t = Math.max(0, Math.min(1, along)), away = Math.hypot(x1 + t * (x2 - x1) - x, y1 + t * (y2 - y1) - y);
+      if (away < least) [key, least] = [line.key, away];
+    }
+    return key;
+  }
+  /** The key of the first face that has one, seen through a pixel. */
+  private faceAt(x: number, y: number): string | null {
+    if (this.keyedFaces.length === 0) return null;
+    const [first] = this.caster(x, y).intersectObjects(this.keyedFaces, false);
+    return first ? (first.object.userData.key as string) : null;
   }
   private turnCamera(event: KeyboardEvent): void {
     const turns: Record<string, [number, number]> = {
