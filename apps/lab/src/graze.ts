@@ -110,6 +110,17 @@ export function fewest(q: Question, most: number): Vec[] {
   return found.manifolds.flatMap((m) => m.points.map((p) => p.a as Vec));
 }
 
+/** The library's quick answer, which may say that bodies overlap that do not, and never the other way round. */
+export function mayOverlap(q: Question): boolean {
+  const a = shapeOf(q.a.shape), b = shapeOf(q.b!.shape);
+  try {
+    return graze.mayOverlap(a, poseOf(q.a), b, poseOf(q.b!));
+  } finally {
+    a.dispose();
+    b.dispose();
+  }
+}
+
 /** The point of contact of two circles or balls, which divides the overlap or the gap as their radii are. */
 export function weightedPoint(q: Question, distance: number): Vec {
   const flat = q.dimension === 2, library = (flat ? graze.plane : graze) as typeof graze;

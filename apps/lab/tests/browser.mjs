@@ -12,6 +12,7 @@ import "./browser/files.mjs";
 import "./browser/captures.mjs";
 import "./browser/stages.mjs";
 import "./browser/axes-lessons.mjs";
+import "./browser/formulas.mjs";
 import "./browser/iterations-lessons.mjs";
 import "./browser/other-lessons.mjs";
 

@@ -1,10 +1,12 @@
-import { ask, fewest, type Answer, type Axis, type ContactPoint } from "../graze.ts";
+import { ask, fewest, type Answer, type Axis, type ContactPoint, type Cut } from "../graze.ts";
 import { drawDistance, drawTrace } from "../parts/answers.ts";
 import { digits } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
-import { add, inverse, length, quatAbout, rotate, scale, sub, toWorld } from "../parts/vec.ts";
+import { row, term } from "../parts/math.ts";
+import { add, cross, inverse, length, quatAbout, rotate, scale, sub, toWorld } from "../parts/vec.ts";
 import { box, convex, sizeOf, type Body, type State, type Vec } from "../question.ts";
-import { dragBody, drawBodies, drawContacts, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, drawContacts, later, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { before, planeAcross } from "./lines.ts";
 
 const arms = { a: [2.1, 0, 0], b: [1.5, 0, 0] };
 const situation = (translation: Vec, rotation: Vec): State => ({
@@ -67,6 +69,28 @@ function withoutPreference(q: State["q"], { trace, manifolds }: Answer): Step {
     },
   };
 }
+/** How far the face of a box that looks most along the normal does so: its faces come in pairs, so the sign is that of the
+ *  better one. */
+function facing(axes: Axis[], n: Vec, which: "A" | "B"): string[] {
+  const own = axes.filter((x) => new RegExp(`^${which}\\d$`).test(x.name)).map(({ direction }) => ({ direction, along: along(direction, n) }));
+  if (own.length === 0) return [];
+  const best = own.reduce((most, x) => (Math.abs(x.along) > Math.abs(most.along) ? x : most)), outward = which === "A" ? 1 : -1;
+  const face = scale(best.direction, best.along * outward < 0 ? -1 : 1);
+  return [`k_${which} = ${outward < 0 ? "-" : ""}${row(n)} * ${row(face)} = ${digits(Math.abs(best.along), 6)}`];
+}
+/** The numbers of the first edge that a cut crosses: how far its ends are from the plane of the cut, and the new corner. */
+function crossed(corners: Vec[], cut: Cut, n: Vec): string[] {
+  const side = planeAcross(cut.from, cross(sub(cut.to, cut.from), n)), ahead = corners.map((p) => before(side, p));
+  const size = Math.max(...corners.map((p) => length(sub(p, corners[0])))), rounding = 1e-9 * size;
+  for (const [i, from] of corners.entries()) {
+    const k = (i + 1) % corners.length, to = corners[k], [first, second] = [ahead[i], ahead[k]];
+    if (Math.abs(first) <= rounding || Math.abs(second) <= rounding || first * second > 0) continue;
+    const edge = length(sub(to, from)), off = (p: Vec): number => Math.abs(length(sub(p, from)) + length(sub(to, p)) - edge);
+    const made = cut.left.filter((p) => corners.every((x) => length(sub(x, p)) > rounding)).reduce((best, p) => (off(p) < off(best) ? p : best));
+    return [`t = frac(${digits(first, 4)}, ${digits(first, 4)} - ${term(second)}) = ${digits(length(sub(made, from)) / edge, 5)}`, `p = ${row(made)}`];
+  }
+  return ['"no edge is crossed"'];
+}
 const table = (points: ContactPoint[], now: number): Step["numbers"] => ({
   caption: "Points of contact", columns: ["point", "distance", "features"],
   rows: points.map((p, i) => ({ cells: [`${i + 1}`, p.distance, featureWords(p.feature)], key: `point-${i}`, mark: i === now ? "now" as const : undefined })),
@@ -124,7 +148,7 @@ export const contactSet: Lesson = {
     if (faces) steps.push({
       title: "Reference and incident face",
       text: `On each box the face that looks most along the normal. One of them is the reference face, here ${reference.toUpperCase()}'s, the other the incident face, here ${incident.toUpperCase()}'s, which is cut by the planes through the sides of the reference face, side by side. What is left in both and no further apart than the margin is the area of contact.`,
-      formula: ["k_A = max_i n*n_i", "k_B = max_i -n*n_i"],
+      formula: ["k_A = max_i n*n_i", "k_B = max_i -n*n_i", ...(["A", "B"] as const).flatMap((which) => facing(answer.trace.axes, manifold.normal, which))],
       says: "The two faces that meet.",
       draw(d) {
         drawBodies(d, q, true);
@@ -133,10 +157,10 @@ export const contactSet: Lesson = {
         drawTrace(d, { faces }, { look: { wide: true } });
       },
     });
-    cuts.forEach((cut, i) => steps.push({
+    cuts.forEach((cut, i) => steps.push(later(() => ({
       title: `Cut ${i + 1} of ${cuts.length}`,
       text: `The plane through ${i === 0 ? "one side" : "the next side"} of the reference face. Of the incident face what lies beyond it goes: a corner that is inside stays, and where an edge crosses the plane a new corner comes. ` + told(i === 0 ? faces![incident].length : cuts[i - 1].left.length, cut.left.length),
-      formula: ["t = d_1 / (d_1 - d_2)", "p = p_1 + t (p_2 - p_1)"],
+      formula: ["t = frac(d_1, d_1 - d_2)", "p = p_1 + t (p_2 - p_1)", ...crossed(i === 0 ? faces![incident] : cuts[i - 1].left, cut, manifold.normal)],
       numbers: { caption: "Corners that are left", columns: ["cut", "corners"], rows: cuts.slice(0, i + 1).map((c, k) => ({ cells: [`${k + 1}`, `${c.left.length}`], key: `cut-${k}`, mark: k === i ? "now" as const : undefined })) },
       says: `After cut ${i + 1} the incident face has ${cut.left.length} corners.`,
       draw(d) {
@@ -145,7 +169,7 @@ export const contactSet: Lesson = {
         d.polygon(i === 0 ? faces![incident] : cuts[i - 1].left, incident, { ghost: true });
         drawTrace(d, { cuts: [cut] }, { look: { wide: true, key: `cut-${i}` }, points: () => ({}), contact: () => "axis", as: { normal: reference, contact: incident } }, 0);
       },
-    }));
+    }))));
     manifold.points.forEach((p, i) => steps.push({
       title: `Point ${i + 1}: ${featureWords(p.feature)}`,
       text: `The name of a point says which feature of A and which of B it lies on. As long as these touch, the name stays and the solver starts with the impulse of the frame before. ` +

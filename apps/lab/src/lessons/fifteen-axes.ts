@@ -1,10 +1,11 @@
-import { ask, type Axis } from "../graze.ts";
+import { ask, mayOverlap, type Axis } from "../graze.ts";
 import { drawDistance } from "../parts/answers.ts";
-import { digits, vector } from "../parts/dom.ts";
+import { digits } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
+import { row } from "../parts/math.ts";
 import { add, cross, dot, mix, quatAbout, scale, unit } from "../parts/vec.ts";
 import { box, type State, type Vec } from "../question.ts";
-import { along, dragBody, drawBodies, drawContacts, later, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, drawContacts, later, moveHandle, radiusWorked, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 import { axisTable, drawAxis, leastOf, verdict, verdictFormula } from "./separating-axes-plane.ts";
 
 const arms = { a: [1.6, 0, 0], b: [1.5, 0, 0] };
@@ -47,6 +48,10 @@ function explain(axis: Axis, index: number, firstGap: number): string {
   return `${axis.name} is the product of an edge of A and an edge of B. Two edges can cross without any corner being inside, and no face's normal ` +
     `sees that. Its length is the sine of the angle between the edges, and overlaps are divided by it. ` + gap + early;
 }
+
+/** The half shadows of both boxes, from their half sizes. */
+const radiiOf = (axis: Axis, { q }: State): string[] => (["a", "b"] as const).map((which) =>
+  radiusWorked(`r_${which.toUpperCase()}`, q[which]!, axis.direction, (Number(axis[which][1]) - Number(axis[which][0])) / 2));
 
 /** The matrix that all axes but the first three need. */
 function rotationStep(axes: Axis[], paint: (d: Drawing) => void): Step {
@@ -101,23 +106,22 @@ export const fifteenAxes: Lesson = {
     axes.forEach((axis, i) => {
       const index = names.indexOf(axis.name), product = index > 5;
       if (i === 3) steps.push(later(() => rotationStep(axes, paint)));
-      steps.push({
+      steps.push(later(() => ({
         title: `Axis ${axis.name}: ${axis.overlap < 0 ? "a gap" : "overlap"}`,
         text: explain(axis, index, firstGap),
         formula: product
           ? [`n = frac(a_${Math.floor((index - 6) / 3)} × b_${(index - 6) % 3}, |a_${Math.floor((index - 6) / 3)} × b_${(index - 6) % 3}|)`,
-            `n = ${vector(axis.direction, 3).replace("(", "[").replace(")", "]")}`, ...verdictFormula(axis)]
-          : ["r = h_0 |n*e_0| + h_1 |n*e_1| + h_2 |n*e_2|", ...verdictFormula(axis)],
+            `n = ${row(axis.direction)}`, ...verdictFormula(axis)]
+          : ["r = h_0 |n*e_0| + h_1 |n*e_1| + h_2 |n*e_2|", ...radiiOf(axis, state), ...verdictFormula(axis)],
         numbers: axisTable(axes.slice(0, i + 1), axis.name),
         says: `${axis.name}: A from ${digits(axis.a[0], 3)} to ${digits(axis.a[1], 3)}, B from ${digits(axis.b[0], 3)} to ${digits(axis.b[1], 3)}, ${verdict(axis, 3)}.`,
         draw(d) {
           drawBodies(d, q);
           ruler(d, axis, state);
         },
-      });
+      })));
     });
-    const faces = axes.filter((x) => !x.name.includes("×"));
-    const fast = faces.every((x) => x.overlap >= 0);
+    const fast = mayOverlap(q);
     const best = axes.find((x) => x.name === winner) ?? leastOf(axes);
     const normal = answer.manifolds?.[0]?.normal;
     const parallel = missing.length ? ` ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} missing: those edges are parallel and their product vanishes. The normals of the faces answer for them.` : "";

@@ -3,6 +3,7 @@
 import { ask } from "../graze.ts";
 import type { Bits, Choice } from "../parts/choices.ts";
 import type { Programs } from "../parts/code.ts";
+import { digits } from "../parts/dom.ts";
 import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
 import type { Graph } from "../parts/graph.ts";
 import type { Numbers } from "../parts/table.ts";
@@ -162,5 +163,13 @@ export function along(u: Vec, p: Vec): number {
   const flat = p.length === 2;
   const body: Body = { shape: { type: "plane" }, rotation: flat ? Math.atan2(-u[0], u[1]) : quatBetween([0, 1, 0], u) };
   return ask({ query: "closest", ...(flat ? { dimension: 2 as const } : {}), a: body, point: p }).distance!;
+}
+/** The numbers of the formula r = h·|n·e| + ... for the half shadow of a box on an axis. */
+export function radiusWorked(name: string, body: Body, n: Vec, radius: number): string {
+  const parts = sizeOf(body.shape).map((size, i, all) => {
+    const far = Math.abs(along(n, rotate(body.rotation, all.map((_, k) => (k === i ? 1 : 0)))));
+    return `${digits(size / 2, 4)} * ${digits(far < 1e-15 ? 0 : far, 4)}`;
+  });
+  return `${name} = ${parts.join(" + ")} = ${digits(radius, 5)}`;
 }
 export const dragTo = (x: number): number => Number(x.toPrecision(12));

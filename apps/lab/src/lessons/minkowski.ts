@@ -2,6 +2,7 @@ import { ask, type Support } from "../graze.ts";
 import { drawDistance, drawTrace } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
+import { row } from "../parts/math.ts";
 import { corners } from "../parts/outline.ts";
 import { add, dot, length, mix, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, copy, type Body, type Question, type State, type Vec } from "../question.ts";
@@ -31,7 +32,6 @@ function support(body: Body, direction: Vec): Vec {
   return answer.a as unknown as Vec;
 }
 
-const row = (p: Vec): string => vector(p, 4).replace("(", "[").replace(")", "]");
 const flat = (p: Vec): Vec => [p[0], p[1]];
 /** The place at which a point of the difference B − A is drawn. */
 export const place = (s: Support): Vec => add(home, flat(sub(s.b, s.a)));
@@ -72,7 +72,7 @@ function sliding(state: State, corners: Support[]): Step {
     title: sum ? "A carries B round" : "B slides round A",
     text: sum ? "Drag the point on the outline. B's origin goes round A, and what B reaches on its way is the sum: the outline follows a side of A while the same corner of B leads, and a side of B at each corner of A."
       : "Drag the point on the outline. B slides round A without turning and without leaving it; what is drawn is how far B has to go from there to where it stands. Where B's corner slides along a side of A, the outline has that side; where A's corner slides along a side of B, that one.",
-    formula: [sum ? "p = a + b" : "p = b - a", `p = ${row(flat(sub(made.b, made.a)))}`],
+    formula: [sum ? "p = a + b" : "p = b - a", `p = ${row(flat(sub(made.b, made.a)), 4)}`],
     numbers: { caption: "There", columns: ["quantity", "value"], rows: [
       { cells: ["of A", vector(sum ? scale(flat(made.a), -1) : flat(made.a), 4)] }, { cells: ["of B", vector(flat(made.b), 4)] },
       { cells: ["p", vector(flat(sub(made.b, made.a)), 4)], mark: "winner" },
@@ -147,7 +147,7 @@ export const minkowski: Lesson = {
         title: `Corner ${i + 1} of ${corners.length}`,
         text: `This corner is made of the two marked corners. On to the next one the outline follows a side of ${fromB ? "B" : "A"}: as one shape slides ` +
           `round the other, sides of both follow each other in the order of their directions.`,
-        formula: [`c = ${sign}`, `${row(sum ? ofA(corner.a) : flat(corner.b))} ${sum ? "+" : "-"} ${row(sum ? flat(corner.b) : flat(corner.a))} = ${row(flat(sub(corner.b, corner.a)))}`],
+        formula: [`c = ${sign}`, `${row(sum ? ofA(corner.a) : flat(corner.b), 4)} ${sum ? "+" : "-"} ${row(sum ? flat(corner.b) : flat(corner.a), 4)} = ${row(flat(sub(corner.b, corner.a)), 4)}`],
         numbers: {
           caption: `Corners of the ${word}`, columns: ["corner", "of A", "of B", "made"],
           rows: corners.slice(0, i + 1).map((c, k) => ({

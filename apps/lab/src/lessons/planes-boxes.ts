@@ -2,9 +2,10 @@ import { ask } from "../graze.ts";
 import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
+import { row, term } from "../parts/math.ts";
 import { add, cross, length, quatAbout, quatBetween, rotate, scale, sub, toWorld, unit } from "../parts/vec.ts";
 import { box, copy, plane, sizeOf, type Body, type State, type Vec } from "../question.ts";
-import { along, dragBody, drawBodies, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, moveHandle, radiusWorked, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [0, 1.4, 0], b: [1.7, 0, 0] };
 const situation = (translation: Vec, rotation: Vec, planeRotation: Vec = quatAbout([0, 0, 1], 0.15)): State => ({
@@ -63,7 +64,6 @@ function dragPlane(state: State, id: string, to: Vec): State {
   next.q.a.translation = scale(n, Number(w.toPrecision(12)));
   return next;
 }
-const row = (v: Vec): string => `[${v.map((x) => digits(Math.abs(x) < 1e-15 ? 0 : x, 3)).join(", ")}]`;
 
 /** The ways to give the plane, with its numbers. */
 function given(state: State, base: (d: Drawing) => void): Step {
@@ -126,7 +126,7 @@ export const planesBoxes: Lesson = {
     points.forEach((p, i) => steps.push({
       title: `Corner ${i + 1}`,
       text: "Its signed distance from the plane: positive above, negative below. The smallest of the eight is the box's." + (i === 7 ? ` It is that of corner ${best + 1}.` : ""),
-      formula: ["d = n*x - w", `d_${i + 1} = ${row(n)} * ${row(p)} - ${w < 0 ? `(${digits(w, 3)})` : digits(w, 3)} = ${digits(measured[i].distance, 5)}`],
+      formula: ["d = n*x - w", `d_${i + 1} = ${row(n)} * ${row(p)} - ${term(w, 3)} = ${digits(measured[i].distance, 5)}`],
       numbers: { caption: "Corners", columns: ["corner", "point", "distance"], rows: points.slice(0, i + 1).map((x, k) => ({ cells: [String(k + 1), vector(x, 3), measured[k].distance!], key: `corner-${k}`, mark: i === 7 && k === best ? "winner" as const : k === i ? "now" as const : undefined })) },
       says: `Corner ${i + 1}: ${digits(measured[i].distance, 4)}.`,
       draw(d) {
@@ -139,7 +139,7 @@ export const planesBoxes: Lesson = {
     steps.push({
       title: "The projected radius",
       text: "No corner is needed. Seen along the normal, the box reaches to both sides of its centre by the sum of its half sizes, each weighted by how far its edge points along the normal. The centre's distance minus that radius is the same number.",
-      formula: ["r = h_x |n*e_x| + h_y |n*e_y| + h_z |n*e_z|", `d = ${digits(center, 5)} - ${digits(radius, 5)} = ${digits(answer.distance, 5)}`],
+      formula: ["r = h_x |n*e_x| + h_y |n*e_y| + h_z |n*e_z|", radiusWorked("r", b, n, radius), `d = ${digits(center, 5)} - ${digits(radius, 5)} = ${digits(answer.distance, 5)}`],
       numbers: { caption: "Both ways", columns: ["quantity", "distance"], rows: [{ cells: ["centre", center] }, { cells: ["radius", radius] }, { cells: ["centre − radius", answer.distance!], mark: "winner" }, { cells: ["smallest corner", measured[best].distance!], mark: "winner" }] },
       says: `Distance ${digits(answer.distance, 5)}: centre ${digits(center, 4)} minus radius ${digits(radius, 4)}.`,
       draw(d) {

@@ -1,8 +1,9 @@
 import { ask } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
+import { row, term } from "../parts/math.ts";
 import { add, cross, length, scale, sub, unit } from "../parts/vec.ts";
-import { box, sphere, withBody, type Question, type Shape, type State, type Vec } from "../question.ts";
+import { box, sphere, withBody, type Body, type Question, type Shape, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [1.2, 0, 0], b: [1.3, 0, 0] };
@@ -24,6 +25,11 @@ function response(state: State): Question {
     contact: { point: scale(add(pa, pb), 0.5), normal: near.normal! },
   };
 }
+
+const turns = ({ angular }: Body): boolean => Array.isArray(angular) && length(angular) > 0;
+/** The velocity of a body's material at a point, as text of a formula. */
+const velocityAt = (body: Body, point: Vec): string =>
+  row(body.linear ?? [0, 0, 0]) + (turns(body) ? ` + ${row(body.angular as Vec)} × ${row(sub(point, body.translation ?? [0, 0, 0]))}` : "");
 
 export const resolution: Lesson = {
   id: "resolution", number: 13, title: "From contact to motion", question: "They touch: who is at fault, and what happens next?",
@@ -48,72 +54,74 @@ export const resolution: Lesson = {
     const whole = (d: Drawing): void => {
       drawBodies(d, q);
       for (const w of ["a", "b"] as const) d.arrow(q[w]!.translation!, add(q[w]!.translation!, q[w]!.linear!), w, { wide: true });
-      d.point(point, "touch", { wide: true });
+      d.point(point, "touch", { wide: true, key: "point" });
     };
     const fault = { a: "A", b: "B", both: "both of them", neither: "neither" }[t.atFault ?? "neither"];
     const steps: Step[] = [
       {
         title: "The velocity at the point",
         text: "Not the velocity of the centres counts but that of the material at the point of contact: the linear velocity, and what turning adds to it. The difference, B's minus A's, is the relative velocity.",
-        formula: ["v = v_B + omega_B × r_B - v_A - omega_A × r_A", `v = [${approach.whole.map((x) => digits(x, 4)).join(", ")}]`],
-        numbers: { caption: "At the point of contact", columns: ["quantity", "value"], rows: [{ cells: ["point", vector(point, 4)] }, { cells: ["normal", vector(normal, 4)] }, { cells: ["v", vector(approach.whole, 4)], mark: "now" }] },
+        formula: ["v = v_B + omega_B × r_B - v_A - omega_A × r_A", `v = ${velocityAt(q.b!, point)} - ${turns(q.a) ? `(${velocityAt(q.a, point)})` : velocityAt(q.a, point)} = ${row(approach.whole)}`],
+        numbers: { caption: "At the point of contact", columns: ["quantity", "value"], rows: [{ cells: ["point, m", vector(point, 4)], key: "point" }, { cells: ["normal", vector(normal, 4)], key: "n" }, { cells: ["v, m/s", vector(approach.whole, 4)], mark: "now", key: "v" }] },
         says: `Relative velocity ${vector(approach.whole, 3)}.`,
         draw(d) {
           whole(d);
-          d.arrow(point, add(point, approach.whole), "made", { wide: true, label: "v" });
-          d.arrow(point, add(point, scale(normal, 0.7)), "axis", { label: "n" });
+          d.arrow(point, add(point, approach.whole), "made", { wide: true, label: "v", key: "v" });
+          d.arrow(point, add(point, scale(normal, 0.7)), "axis", { label: "n", key: "n" });
         },
       },
       {
         title: `At fault: ${fault}`,
         text: "Only what moves towards the other is at fault: the part of the relative velocity along the normal says whether they approach. " + (approach.normal < 0 ? "It is negative: they do." : "It is not negative: they part, and nothing has to be done.") + " The rest is sliding.",
-        formula: ["v_n = v*n", `v_n = ${digits(approach.normal, 5)}`],
-        numbers: { caption: "Approach", columns: ["quantity", "value"], rows: [{ cells: ["along n", approach.normal], mark: "now" }, { cells: ["tangential", vector(approach.tangential, 4)] }, { cells: ["at fault", fault], mark: "winner" }] },
+        formula: ["v_n = v*n", `v_n = ${row(approach.whole)} * ${row(normal)} = ${digits(approach.normal, 5)}`],
+        numbers: { caption: "Approach", columns: ["quantity", "value"], rows: [{ cells: ["along n, m/s", approach.normal], mark: "now", key: "vn" }, { cells: ["tangential, m/s", vector(approach.tangential, 4)], key: "vt" }, { cells: ["at fault", fault], mark: "winner" }] },
         says: `Velocity along the normal ${digits(approach.normal, 4)}; at fault: ${fault}.`,
         draw(d) {
           whole(d);
-          d.arrow(point, add(point, scale(normal, approach.normal)), "touch", { wide: true, label: "vn" });
-          d.arrow(point, add(point, approach.tangential), "out", { wide: true, label: "vt" });
+          d.arrow(point, add(point, scale(normal, approach.normal)), "touch", { wide: true, label: "vn", key: "vn" });
+          d.arrow(point, add(point, approach.tangential), "out", { wide: true, label: "vt", key: "vt" });
         },
       },
     ];
     steps.push({
       title: "The normal impulse",
       text: "How hard must they push each other so that they no longer approach? The effective mass says how much of both masses resists at this point: turning makes it lighter. Restitution asks for more, so that they part.",
-      formula: ["j = max(0, - frac((1 + e) v_n, n*K n))", `j = ${digits(answer.normalImpulse, 5)}`, `frac(1, n*K n) = ${digits(t.effectiveMass, 5)}`],
-      numbers: { caption: "Impulse", columns: ["quantity", "value"], rows: [{ cells: ["effective mass", t.effectiveMass ?? 0] }, { cells: ["normal impulse", answer.normalImpulse ?? 0], mark: "winner" }] },
+      formula: ["j = max(0, -m (1 + e) v_n)", `m = frac(1, n*K n) = ${digits(t.effectiveMass, 5)}`,
+        `j = max(0, -${digits(t.effectiveMass, 4)} * (1 + ${digits(q.restitution, 3)}) * ${term(approach.normal)}) = ${digits(answer.normalImpulse, 5)}`],
+      numbers: { caption: "Impulse", columns: ["quantity", "value"], rows: [{ cells: ["effective mass, kg", t.effectiveMass ?? 0] }, { cells: ["normal impulse, N s", answer.normalImpulse ?? 0], mark: "winner", key: "j" }] },
       says: `Normal impulse ${digits(answer.normalImpulse, 4)}.`,
       draw(d) {
         whole(d);
-        d.arrow(point, add(point, scale(normal, answer.normalImpulse!)), "touch", { wide: true, label: "j on B" });
-        d.arrow(point, add(point, scale(normal, -answer.normalImpulse!)), "touch", { wide: true, label: "−j on A" });
+        d.arrow(point, add(point, scale(normal, answer.normalImpulse!)), "touch", { wide: true, label: "j on B", key: "j" });
+        d.arrow(point, add(point, scale(normal, -answer.normalImpulse!)), "touch", { wide: true, label: "−j on A", key: "j" });
       },
     });
     if (friction) steps.push({
       title: friction.holds ? "Friction holds" : "Friction slips",
       text: `The sliding that is left would be stopped by an impulse in the tangent plane. Friction gives at most μ times the normal impulse, a cone about the normal. ` + (friction.holds ? "Stopping needs less: they stick." : "Stopping needs more: it is shortened to the cone, and they go on sliding."),
       formula: ["|j_t| <= mu j", `${digits(length(friction.stopping), 4)} ${friction.holds ? "<=" : ">"} ${digits(friction.limit, 4)}`],
-      numbers: { caption: "Friction", columns: ["quantity", "value"], rows: [{ cells: ["sliding", vector(friction.sliding, 4)] }, { cells: ["to stop", vector(friction.stopping, 4)] }, { cells: ["limit", friction.limit] }, { cells: ["given", vector(friction.impulse, 4)], mark: "winner" }] },
+      numbers: { caption: "Friction", columns: ["quantity", "value"], rows: [{ cells: ["sliding, m/s", vector(friction.sliding, 4)] }, { cells: ["to stop, N s", vector(friction.stopping, 4)] }, { cells: ["limit, N s", friction.limit], key: "cone" }, { cells: ["given, N s", vector(friction.impulse, 4)], mark: "winner", key: "given" }] },
       says: friction.holds ? "Friction holds." : "Friction slips.",
       draw(d) {
         whole(d);
         const side = unit(Math.abs(normal[1]) < 0.9 ? cross(normal, [0, 1, 0]) : cross(normal, [1, 0, 0])), other = cross(normal, side);
         const rim = Array.from({ length: 24 }, (_, i) => add(add(point, scale(normal, answer.normalImpulse!)), add(scale(side, friction.limit * Math.cos(i * 0.2618)), scale(other, friction.limit * Math.sin(i * 0.2618)))));
-        rim.forEach((p, i) => { d.line(p, rim[(i + 1) % 24], "made"); if (i % 3 === 0) d.line(point, p, "made", { ghost: true }); });
-        d.arrow(point, add(point, answer.impulse!), "touch", { wide: true, label: "impulse" });
+        rim.forEach((p, i) => { d.line(p, rim[(i + 1) % 24], "made", { key: "cone" }); if (i % 3 === 0) d.line(point, p, "made", { ghost: true }); });
+        d.arrow(point, add(point, answer.impulse!), "touch", { wide: true, label: "impulse", key: "given" });
       },
     });
     steps.push({
       title: "The motions after",
       text: "Each body gets the impulse, in opposite directions: its velocity changes by impulse over mass, its turning by the impulse's lever. Momentum is what it was before.",
-      formula: ["v_B' = v_B + frac(J, m_B)", "v_A' = v_A - frac(J, m_A)"],
-      numbers: { caption: "After", columns: ["body", "linear", "angular"], rows: (["a", "b"] as const).map((w) => ({ cells: [w.toUpperCase(), vector(answer[w]!.linear, 4), vector(answer[w]!.angular as Vec, 3)] })) },
+      formula: ["v_B' = v_B + frac(J, m_B)", "v_A' = v_A - frac(J, m_A)", ...(["b", "a"] as const).map((w) =>
+        `v_${w.toUpperCase()}' = ${row(q[w]!.linear!)} ${w === "b" ? "+" : "-"} frac(${row(answer.impulse!)}, ${digits(Number(q[w]!.mass), 4)}) = ${row(answer[w]!.linear)}`)],
+      numbers: { caption: "After", columns: ["body", "linear, m/s", "angular, rad/s"], rows: (["a", "b"] as const).map((w) => ({ cells: [w.toUpperCase(), vector(answer[w]!.linear, 4), vector(answer[w]!.angular as Vec, 3)], key: `after-${w}` })) },
       says: `After: A ${vector(answer.a!.linear, 3)}, B ${vector(answer.b!.linear, 3)}.`,
       draw(d) {
         drawBodies(d, q);
         for (const w of ["a", "b"] as const) {
           d.arrow(q[w]!.translation!, add(q[w]!.translation!, q[w]!.linear!), "out", { dashed: true });
-          d.arrow(q[w]!.translation!, add(q[w]!.translation!, answer[w]!.linear), w, { wide: true });
+          d.arrow(q[w]!.translation!, add(q[w]!.translation!, answer[w]!.linear), w, { wide: true, key: `after-${w}` });
         }
         d.point(point, "touch", { wide: true });
       },

@@ -2,10 +2,11 @@ import { ask, type Axis } from "../graze.ts";
 import { drawDistance, drawTrace, type Marks } from "../parts/answers.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { digits, vector } from "../parts/dom.ts";
+import { row, term } from "../parts/math.ts";
 import { add, dot, mix, rotate, scale, sub } from "../parts/vec.ts";
 import { corners } from "../parts/outline.ts";
 import { box, convex, sizeOf, type Body, type State, type Vec } from "../question.ts";
-import { along, dragBody, drawBodies, drawContacts, later, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, drawContacts, later, moveHandle, radiusWorked, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [2.1, 0], b: [1.7, 0] };
 const situation = (translation: number[], rotation: number, a: Body["shape"] = box(3, 2), b = box(2, 2)): State => ({
@@ -65,9 +66,8 @@ export const verdict = (axis: Axis, significant = 4): string =>
   `${axis.overlap < 0 ? "gap" : "overlap"} ${digits(Math.abs(axis.overlap), significant)}`;
 /** The verdict of an axis by its shadows, with letters and with numbers. Axes of a trace point from A towards B. */
 export const verdictFormula = (x: Axis): string[] => x.overlap < 0
-  ? ['"gap" = "min"_B - "max"_A', `"gap" = ${digits(x.b[0], 5)} - ${bracket(x.a[1])} = ${digits(-x.overlap, 5)}`]
-  : ['"overlap" = "max"_A - "min"_B', `"overlap" = ${digits(x.a[1], 5)} - ${bracket(x.b[0])} = ${digits(x.overlap, 5)}`];
-const bracket = (x: number | string): string => (Number(x) < 0 ? `(${digits(x, 5)})` : digits(x, 5));
+  ? ['"gap" = "min"_B - "max"_A', `"gap" = ${digits(x.b[0], 5)} - ${term(x.a[1], 5)} = ${digits(-x.overlap, 5)}`]
+  : ['"overlap" = "max"_A - "min"_B', `"overlap" = ${digits(x.a[1], 5)} - ${term(x.b[0], 5)} = ${digits(x.overlap, 5)}`];
 /** The axis whose overlap is least, or whose gap is widest. */
 export const leastOf = (axes: Axis[]): Axis => axes.reduce((best, x) => (x.overlap < best.overlap ? x : best));
 
@@ -76,9 +76,6 @@ function inWords(name: string): string {
   const [whose, , side] = name.split(" ");
   return side === undefined ? `the normal of two sides of ${name[0]}` : `the normal of ${whose}'s side ${side}`;
 }
-/** A number in which the rounding of zero is shown as zero. */
-const tidy = (x: number, n = 4): string => digits(Math.abs(x) < 1e-15 ? 0 : x, n);
-const row = (v: Vec, n = 4): string => `[${v.map((x) => tidy(x, n)).join(", ")}]`;
 
 /** The steps of the first axis: corner by corner, then, for boxes, without corners. */
 function slowly(axis: Axis, bodies: Body[], paint: (d: Drawing) => void): Step[] {
@@ -94,7 +91,7 @@ function slowly(axis: Axis, bodies: Body[], paint: (d: Drawing) => void): Step[]
       title: `Axis ${axis.name}, corner ${k + 1} of ${name}`,
       text: (which === 0 && k === 0 ? `The first axis, ${axis.name}, is ${inWords(axis.name)}. How far a corner lies along it is the scalar product of axis and corner. ` : "") +
         change + (k === list.length - 1 ? ` All corners of ${name} are in: its shadow reaches from ${digits(Math.min(...feet), 4)} to ${digits(Math.max(...feet), 4)}.` : ""),
-      formula: ["t = n*p", `t = ${row(u)} * ${row(p)} = ${digits(t, 5)}`],
+      formula: ["t = n*p", `t = ${row(u, 4)} * ${row(p, 4)} = ${digits(t, 5)}`],
       numbers: { caption: `Corners along ${axis.name}`, columns: ["corner", "p", "t"], rows },
       says: `Corner ${k + 1} of ${name} lies at ${digits(t, 4)} along ${axis.name}.`,
       draw(d) {
@@ -109,10 +106,7 @@ function slowly(axis: Axis, bodies: Body[], paint: (d: Drawing) => void): Step[]
     title: `Axis ${axis.name} without corners`,
     text: "A box needs no corners. Its shadow has its centre's place in the middle, and reaches to both sides by r: the sum of its half sizes, " +
       "each times how far its own axis points along n. The same shadows come out, with a fraction of the work.",
-    formula: ["r = h_x |n*e_x| + h_y |n*e_y|", ...boxes.map(({ body, name, ends }) => {
-      const [x, y] = sizeOf(body.shape), part = (e: Vec): string => tidy(Math.abs(along(u, rotate(body.rotation, e))));
-      return `r_${name} = ${digits(x / 2, 4)} · ${part([1, 0])} + ${digits(y / 2, 4)} · ${part([0, 1])} = ${digits((Number(ends[1]) - Number(ends[0])) / 2, 5)}`;
-    })],
+    formula: ["r = h_x |n*e_x| + h_y |n*e_y|", ...boxes.map(({ body, name, ends }) => radiusWorked(`r_${name}`, body, u, (Number(ends[1]) - Number(ends[0])) / 2))],
     numbers: { caption: `Shadows on ${axis.name}`, columns: ["of", "centre", "r", "shadow"], rows: boxes.map(({ body, name, ends }) => ({
       cells: [name, along(u, body.translation ?? [0, 0]), (Number(ends[1]) - Number(ends[0])) / 2, shadow(ends)] })) },
     says: `The shadows of ${boxes.map((x) => x.name).join(" and ")} from centre and half sizes.`,
@@ -193,7 +187,7 @@ function deep({ q }: State, axes: Axis[]): Step[] {
     text: boxes ? "A side's normal and its opposite are the same axis. The one that points from A's centre towards B's is the normal: c·n is not negative. Pushed along it, B moves away " +
         "from A; along the other it would go through A."
       : "Of a side of A the normal points out of A, of a side of B into B. So it points from A to B, and B pushed along it moves away from A.",
-    formula: [boxes ? "c*n >= 0" : "n", ...(boxes ? [`c*n = ${row(c, 3)} * ${row(normal, 3)} = ${digits(along(normal, c), 4)}`] : []), `n = ${row(normal)}`],
+    formula: [boxes ? "c*n >= 0" : "n", ...(boxes ? [`c*n = ${row(c, 3)} * ${row(normal, 3)} = ${digits(along(normal, c), 4)}`] : []), `n = ${row(normal, 4)}`],
     says: `The normal is ${vector(normal, 3)}.`,
     draw(d) {
       drawBodies(d, q);

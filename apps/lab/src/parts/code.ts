@@ -207,13 +207,13 @@ function python(q: Question): string | undefined {
     lines.push("for manifold in manifolds:", '    print("normal", *manifold.normal)', "    for p in manifold.points:");
     lines.push('        print("on A", *p.a, "on B", *p.b, "distance", p.distance)');
   } else if (query === "closest") {
-    lines.push(`found = ${f}(a, pose_a, ${value(q.point!)})`);
+    lines.push(`found = ${f}${list(["a", "pose_a", value(q.point!)], "()", breaks)}`);
     lines.push('print("distance", found.distance, "point", *found.point, "normal", *found.normal)');
   } else {
     if (query === "raycast") {
       const { origin, direction, length } = q.ray!;
-      const end = length === undefined ? "" : `, length=${length}`;
-      lines.push(`hit = ${f}(a, pose_a, origin=${value(origin)}, direction=${value(direction)}${end})`);
+      const end = length === undefined ? [] : [`length=${length}`];
+      lines.push(`hit = ${f}${list(["a", "pose_a", `origin=${value(origin)}`, `direction=${value(direction)}`, ...end], "()", breaks)}`);
     } else {
       const linear = (body: Body): string => value(body.linear ?? zeros(flat));
       const turning = ([["angular_a", q.a], ["angular_b", q.b!]] as const)

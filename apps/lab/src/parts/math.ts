@@ -4,6 +4,8 @@
 //   x^2       a superscript         sqrt(a)      a root             <=  >=  !=  ->  in  sum  theta ...
 //   |a|       bars                  [x, y]       a vector           "words"
 
+import { digits } from "./dom.ts";
+
 const namespace = "http://www.w3.org/1998/Math/MathML";
 
 function element(tag: string, ...children: (Node | string)[]): Element {
@@ -98,3 +100,10 @@ export function fit(shown: Element): void {
   const smallest = 0.6, { clientWidth, scrollWidth } = shown;
   if (scrollWidth > clientWidth) (shown as HTMLElement).style.fontSize = `${Math.max(smallest, (0.98 * clientWidth) / scrollWidth)}em`;
 }
+
+/** A vector as text of a formula; the rounding of zero is shown as zero. */
+export const row = (v: readonly number[], significant = 3): string =>
+  `[${v.map((x) => digits(Math.abs(x) < 1e-15 ? 0 : x, significant)).join(", ")}]`;
+/** A number as a factor or a term behind a minus: in brackets where it is negative. */
+export const term = (x: number | string, significant = 4): string =>
+  Number(x) < 0 ? `(${digits(x, significant)})` : digits(x, significant);
