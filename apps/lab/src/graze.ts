@@ -9,6 +9,8 @@ export interface Axis { name: string; direction: Vec; a: [End, End]; b: [End, En
 export interface GjkStep { simplex: Support[]; direction: Vec; found: Support; lower: number; upper: number; }
 export interface EpaStep { normal: Vec; found?: Support; faceDepth: number; foundDepth: number; faces: number; polygon?: Support[]; }
 export interface CastStep { t: number; distance: number; normal: Vec; }
+/** A part of a shape, and from where to where a ray is inside of it; where it never is, an interval that ends before it
+ *  begins. */
 export interface Span { name: string; normal: Vec; span: [End, End]; }
 export interface Cut { from: Vec; to: Vec; left: Vec[]; }
 export interface Trace {
@@ -70,6 +72,7 @@ export function ask(question: Question): Answer {
   if (known) return known;
   const answer = JSON.parse(graze.query(asked)) as Answer;
   answer.trace = { ...empty, ...answer.trace };
+  for (const part of answer.trace.spans ?? []) part.span ??= ["infinity", "-infinity"]; // a ray that misses has no span
   // A drag asks for hundreds of situations once, a page for its own several times.
   if (kept.size > 64) kept.clear();
   kept.set(asked, answer);
@@ -108,6 +111,16 @@ export function fewest(q: Question, most: number): Vec[] {
   a.dispose();
   b.dispose();
   return found.manifolds.flatMap((m) => m.points.map((p) => p.a as Vec));
+}
+
+/** The corners of a body in the world; of a curved one points of its surface, as finely as the library draws it. */
+export function tessellated(body: Body): Vec[] {
+  const shape = shapeOf(body.shape);
+  try {
+    return graze.tessellate(shape, poseOf(body)).points;
+  } finally {
+    shape.dispose();
+  }
 }
 
 /** The library's quick answer, which may say that bodies overlap that do not, and never the other way round. */

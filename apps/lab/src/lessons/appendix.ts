@@ -1,5 +1,5 @@
-import { ask, type graze } from "../graze.ts";
-import { drawDistance, drawRay } from "../parts/answers.ts";
+import { ask, type graze, type Span } from "../graze.ts";
+import { drawDistance, drawRay, endOf } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Handle } from "../parts/drawing.ts";
 import { add, scale } from "../parts/vec.ts";
@@ -9,6 +9,7 @@ import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } 
 import { unboundedPairs } from "./unbounded-pairs.ts";
 
 const pairs: Pair[] = [...bounded, ...unboundedPairs];
+const isNever = ({ span: [from, to] }: Span): boolean => endOf(from) > endOf(to);
 const arms = { a: [0.3, 0.9, 0], b: [0, 1.1, 0] };
 const named = (value: string): Pair => pairs.find((p) => p.value === value)!;
 const stateOf = (pair: Pair, q: Question = pair.q): State => ({ q: copy(q), choice: { pair: pair.value } });
@@ -89,8 +90,8 @@ export const appendix: Lesson = {
     spans.forEach((s, i) => steps.push({
       title: `Part of the shape: ${s.name}`,
       text: "The ray is inside of this half-space, or inside of this curved part, for the parameters of the span. It is inside the whole shape where it is inside all of them.",
-      numbers: { caption: "Spans of the ray", columns: ["part", "from", "to"], rows: spans.slice(0, i + 1).map((x, k) => ({ cells: [x.name, x.span[0], x.span[1]], mark: k === i ? "now" as const : undefined })) },
-      says: `${s.name}: from ${digits(s.span[0], 4)} to ${digits(s.span[1], 4)}.`, draw: base,
+      numbers: { caption: "Spans of the ray", columns: ["part", "from", "to"], rows: spans.slice(0, i + 1).map((x, k) => ({ cells: [x.name, ...(isNever(x) ? ["never", ""] : x.span)], mark: k === i ? "now" as const : undefined })) },
+      says: isNever(s) ? `${s.name}: never inside.` : `${s.name}: from ${digits(s.span[0], 4)} to ${digits(s.span[1], 4)}.`, draw: base,
     }));
     steps.push({
       title: missed ? "No hit" : "The answer",

@@ -1,4 +1,4 @@
-import { ask, type GjkStep, type Support } from "../graze.ts";
+import { ask, tessellated, type GjkStep, type Support } from "../graze.ts";
 import { drawDistance, drawTrace } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
@@ -6,6 +6,7 @@ import { add, cross, dot, length, quatAbout, scale, sub, unit } from "../parts/v
 import { box, convex, type Question, type State, type Vec } from "../question.ts";
 import { along, dragBody, drawBodies, later, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 import { drawOrigin, home } from "./minkowski.ts";
+import { region } from "./region.ts";
 
 const kinds = ["", "a point", "an edge", "a triangle", "a tetrahedron"];
 const listed = (names: string[]): string => names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
@@ -17,6 +18,10 @@ function namesOf(list: GjkStep[]): (p: Support) => string {
     for (const p of [...s.simplex, s.found]) if (!names.has(key(p))) names.set(key(p), `w${names.size + 1}`);
   return (p) => names.get(key(p))!;
 }
+
+/** Support points without those that are named alike. */
+const distinct = (points: Support[], name: (p: Support) => string): Support[] =>
+  points.filter((p, i) => points.findIndex((x) => name(x) === name(p)) === i);
 
 /** The bounds of a step as a picture: the line (in space a square) through s across n, that through v, and the strip between. */
 function drawBounds(d: Drawing, zero: Vec, n: Vec, beyond: number, lower: number, upper: number, s: Vec): void {
@@ -71,6 +76,12 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
       d.point(cut(p.b), "b", { key: name(p) });
     }
   };
+  /** The simplex before v was sought, and of it the part in whose region O lies. */
+  const drawRegion = (d: Drawing, before: Support[], simplex: Support[]): void => {
+    const corners = before.map(spot), kept = simplex.map((p) => corners[before.findIndex((x) => name(x) === name(p))]);
+    corners.forEach((p, k) => corners.slice(k + 1).forEach((q) => d.line(p, q, "axis", { ghost: true })));
+    if (flat && before.length > 1) d.polygon(region(corners, kept, 20), "axis", { fill: true, dashed: true });
+  };
   const cells = (label: string, p: Support): string[] => [label, vector(cut(p.a), 3 + more), vector(cut(p.b), 3 + more), vector(difference(p), 3)];
   const steps: Step[] = [{
     title: "One question to the origin",
@@ -85,8 +96,9 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
   }];
   list.forEach((s, i) => {
     const last = i === list.length - 1, names = s.simplex.map(name);
-    const before = i > 0 ? [...list[i - 1].simplex, list[i - 1].found] : [];
-    const dropped = [...new Set(before.map(name))].filter((w) => !names.includes(w));
+    const before = i > 0 ? distinct([...list[i - 1].simplex, list[i - 1].found], name) : [];
+    const dropped = before.map(name).filter((w) => !names.includes(w));
+    const where = before.length > 1 ? `O lies in the region of ${listed(names)}${flat ? " (shaded)" : ""}. ` : "";
     const rows = s.simplex.map((p) => ({ cells: cells(name(p), p), key: name(p) }));
     const columns = { caption: "Corners of the simplex, and what was found", columns: ["point", "of A", "of B", "b − a"] };
     const joined = i > 0 ? `The last s has joined as ${name(list[i - 1].found)}. ` : `It begins with any point of the difference, ${names[0]}. `;
@@ -100,6 +112,7 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
         says: `Iteration ${i + 1}: the distance is between 0 and 0.`,
         draw(d) {
           paint(d);
+          drawRegion(d, before, s.simplex);
           drawIteration(d, s);
         },
       });
@@ -112,7 +125,7 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
       const open = digits(Math.max(0, gap), 4);
       return {
         title: `Iteration ${i + 1}: ${kinds[names.length]}`,
-        text: joined + (dropped.length ? `v needs ${listed(names)} alone: ${listed(dropped)} ${dropped.length > 1 ? "are" : "is"} dropped. ` : "") +
+        text: joined + where + (dropped.length ? `v needs ${listed(names)} alone: ${listed(dropped)} ${dropped.length > 1 ? "are" : "is"} dropped. ` : "") +
           `v ${names.length === 1 ? `is ${names[0]} itself` : `lies on the ${names.length === 2 ? "edge" : "triangle"} of ${listed(names)}`}. ` +
           (beyond > 0 ? `Everything of the difference lies beyond the ${wall} through s across n, so nothing of it is nearer to O than that ${wall}. ` +
             (counts ? "" : `An earlier ${wall} lay further out; its bound stays. `)
@@ -126,6 +139,7 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
         says: `Iteration ${i + 1}: the distance is between ${digits(s.lower, 4)} and ${digits(s.upper, 4)}.`,
         draw(d) {
           paint(d);
+          drawRegion(d, before, s.simplex);
           drawBounds(d, zero, n, beyond, s.lower, s.upper, spot(s.found));
           drawIteration(d, s);
           d.line(zero, add(zero, scale(n, s.upper)), "touch", { dashed: true });
@@ -214,13 +228,28 @@ const armsSpace = { a: [1.5, 0, 0], b: [0, 1.2, 0] };
 /** The place in space at which the origin of the difference is drawn. */
 const homeSpace: Vec = [0.4, -2.6, 0];
 
+let sampled: { of: string; points: Vec[] } = { of: "", points: [] };
+/** Points of which the Minkowski difference of two bodies is the hull; of curved ones as finely as the library draws
+ *  them. */
+function differenceOf({ a, b }: Question): Vec[] {
+  const of = JSON.stringify([a, b]);
+  if (sampled.of !== of) {
+    const [from, to] = [tessellated(a), tessellated(b!)];
+    sampled = { of, points: to.flatMap((q) => from.map((p) => sub(q, p))) };
+  }
+  return sampled.points;
+}
+
 export const gjkSpace: Lesson = {
   id: "gjk-space", number: 7, title: "GJK in space", question: "What changes in space?",
   intro: "Nothing but the size of the simplex: four corners instead of three. Curved shapes need no triangles; they only have to name a furthest point.",
-  dimension: 3, view: { center: [0.8, -0.7, 0], reach: 3.2 }, start: spaceState([1.9, 1, 0.2], quatAbout([0.3, 0.2, 1], 0.7)),
+  dimension: 3, view: { center: [0.9, -0.95, 0], reach: 3.6 }, start: spaceState([1.9, 1, 0.2], quatAbout([0.3, 0.2, 1], 0.7)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", armsSpace.a), moveHandle(s, "b"), turnHandle(s, "b", armsSpace.b)],
   drag: (s, id, to) => dragBody(s, id, to, armsSpace),
-  steps: ({ q }) => walk({ q, zero: homeSpace, paint: (d) => drawBodies(d, q), origin(d) {
+  steps: ({ q }) => walk({ q, zero: homeSpace, paint(d) {
+    drawBodies(d, q);
+    d.shape({ shape: convex(differenceOf(q)), translation: homeSpace }, "made", { ghost: true, bare: true });
+  }, origin(d) {
     for (const axis of [[0.25, 0, 0], [0, 0.25, 0], [0, 0, 0.25]]) d.line(sub(homeSpace, axis), add(homeSpace, axis), "ink", { wide: true });
     d.text(homeSpace, "O", "ink");
   } }),

@@ -1,5 +1,5 @@
 // Programs of lessons whose question is none of the query protocol, with the lesson's values: a support point of a
-// large hull, broad phases over many frames, and bodies with filters.
+// large hull, broad phases over many frames, bodies with filters, and a stack that is simulated.
 
 import type { Programs } from "../parts/code.ts";
 import type { Vec } from "../question.ts";
@@ -211,5 +211,83 @@ const reported = new Set(world.contacts().filter((pair) => pair.overlap).map((pa
 for (let i = 0; i < balls.length; i++)
   for (let j = i + 1; j < balls.length; j++)
     console.log(balls[i].name, "and", balls[j].name, "collide:", reported.has(\`\${i} \${j}\`));`,
+  };
+}
+
+export interface Stack {
+  boxes: number;
+  /** Steps a second, and how many are taken. */
+  rate: number;
+  steps: number;
+  /** The sub-steps of each step; null for the library's own choice. */
+  subSteps: number | null;
+  /** Of the top box, and where it begins. */
+  mass: number;
+  top: Vec;
+  friction: number;
+}
+/** The deepest contact of a stack of boxes, and where its top box comes to. */
+export function stackPrograms({ boxes, rate, steps, subSteps, mass, top, friction }: Stack): Programs {
+  const last = boxes - 1;
+  return {
+    "C++": `#include <graze/graze.hpp>
+
+#include <cstdio>
+
+int main() {
+  graze::SimulationSettings<double> settings;
+  settings.sleep = false;
+${subSteps === null ? "" : `  settings.sub_steps = settings.most_sub_steps = ${subSteps};\n`}  graze::Simulationd simulation(settings);
+  graze::Material<double> rough;
+  rough.static_friction = rough.dynamic_friction = ${friction};
+  graze::Body<double> floor{graze::HalfSpace<double>()};
+  floor.fixed = true;
+  simulation.add(floor, {}, rough);
+  // Each box stands a little beside the one below.
+  const graze::Shaped box = graze::Box<double>({1, 1, 1});
+  graze::BodyId top;
+  for (int i = 0; i < ${boxes}; ++i) {
+    graze::Dynamics<double> dynamics;
+    dynamics.mass = i == ${last} ? ${mass} : 1;
+    graze::Vec3d place{i % 2 == 0 ? 0.04 : -0.04, 0.5 + i, 0};
+    if (i == ${last}) place = ${braces(top)};
+    top = simulation.add({box, {place, {}}}, dynamics, rough);
+  }
+  for (int step = 0; step < ${steps}; ++step) simulation.step(1.0 / ${rate});
+  const graze::Vec3d place = simulation.poses()[top.index].translation;
+  std::printf("deepest contact %.9g, top box at (%.9g, %.9g, %.9g)\\n", simulation.report().deepest, place.x, place.y,
+              place.z);
+}`,
+    Python: `import graze
+
+simulation = graze.Simulation(sleep=False${subSteps === null ? "" : `, sub_steps=${subSteps}, most_sub_steps=${subSteps}`})
+rough = graze.Material(static_friction=${friction}, dynamic_friction=${friction})
+simulation.add(graze.HalfSpace(), fixed=True, material=rough)
+# Each box stands a little beside the one below.
+box = graze.Box((1, 1, 1))
+for i in range(${boxes}):
+    place = (0.04 if i % 2 == 0 else -0.04, 0.5 + i, 0)
+    if i == ${last}:
+        place = ${tuple(top)}
+    top = simulation.add(box, place, mass=${mass} if i == ${last} else 1, material=rough)
+for _ in range(${steps}):
+    simulation.step(1 / ${rate})
+print("deepest contact", simulation.report["deepest"], "top box at", *simulation.pose(top).translation)`,
+    JavaScript: `import { init, Box, HalfSpace, Simulation } from "graze/double";
+
+await init();
+const simulation = new Simulation({ sleep: false${subSteps === null ? "" : `, subSteps: ${subSteps}, mostSubSteps: ${subSteps}`} });
+const rough = { staticFriction: ${friction}, dynamicFriction: ${friction} };
+simulation.add({ shape: new HalfSpace(), fixed: true }, {}, rough);
+// Each box stands a little beside the one below.
+const box = new Box([1, 1, 1]);
+let top;
+for (let i = 0; i < ${boxes}; i++) {
+  const beside = [i % 2 === 0 ? 0.04 : -0.04, 0.5 + i, 0];
+  const translation = i === ${last} ? ${brackets(top)} : beside;
+  top = simulation.add({ shape: box, translation }, { mass: i === ${last} ? ${mass} : 1 }, rough);
+}
+for (let step = 0; step < ${steps}; step++) simulation.step(1 / ${rate});
+console.log("deepest contact", simulation.report().deepest, "top box at", simulation.pose(top).translation);`,
   };
 }

@@ -1,9 +1,14 @@
 import { graze } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import { box, plane, type Body, type State, type Vec } from "../question.ts";
-import type { Lesson, Step } from "./lesson.ts";
+import { dragTo, later, type Lesson, type Step } from "./lesson.ts";
+import { stackPrograms, type Stack } from "./programs.ts";
 
 const boxes = 10, rate = 60, every = 6, frames = 10;
+/** The place of the top box where nobody has dragged it. */
+const usualTop: Vec = [-0.04, 9.5, 0];
+/** The number of runs that are kept: a drag of the top box asks for hundreds, a page for as many as there are efforts. */
+const most = 24;
 const size: Vec = [1, 1, 1];
 /** The numbers of sub-steps of a step, or "auto", the library's default: four, and up to sixteen where one contact
  *  bears much, more only where bodies stand high on each other. */
@@ -11,40 +16,47 @@ const efforts = ["1", "2", "4", "8", "16", "auto"] as const;
 type Effort = (typeof efforts)[number];
 const masses = [1, 10, 100, 1000];
 const named: Record<Effort, string> = { 1: "1", 2: "2", 4: "4", 8: "8", 16: "16", auto: "4 and more, by load" };
-const settings = (effort: Effort): graze.SimulationSettings =>
-  effort === "auto" ? { sleep: false } : { sleep: false, subSteps: Number(effort), mostSubSteps: Number(effort) };
+/** Everything that is simulated. */
+const stackOf = ({ effort, mass, friction, top }: Setup): Stack =>
+  ({ boxes, rate, steps: frames * every, subSteps: effort === "auto" ? null : Number(effort), mass, friction, top });
 
+interface Setup { effort: Effort; mass: number; friction: number; top: Vec }
 interface Frame { poses: { translation: Vec; rotation: Vec }[]; deepest: number; mean: number; residual: number; contacts: number; subSteps: number }
-interface Run { start: Frame["poses"]; frames: Frame[] }
-const kept = new Map<string, Run>();
+const kept = new Map<string, Frame[]>();
+/** The places of the boxes at the beginning, the lowest first. */
+const startOf = ({ top }: Setup): Frame["poses"] => Array.from({ length: boxes }, (_, i) => ({
+  translation: i === boxes - 1 ? top : [i % 2 === 0 ? 0.04 : -0.04, 0.5 + i, 0], rotation: [0, 0, 0, 1] }));
 /** Ten boxes on a floor, each a little beside the one below, for a second: the solver's report, and their places. */
-function run(effort: Effort, mass: number, friction: number): Run {
-  const key = `${effort} ${mass} ${friction}`;
-  const known = kept.get(key);
+function run(setup: Setup): Frame[] {
+  const key = JSON.stringify(setup), known = kept.get(key);
   if (known) return known;
-  const simulation = new graze.Simulation(settings(effort)), shape = new graze.Box(size), floor = new graze.HalfSpace();
+  if (kept.size >= most) kept.clear();
+  const { subSteps, mass, friction } = stackOf(setup);
+  const settings: graze.SimulationSettings = subSteps === null ? { sleep: false } : { sleep: false, subSteps, mostSubSteps: subSteps };
+  const simulation = new graze.Simulation(settings), shape = new graze.Box(size), floor = new graze.HalfSpace();
   const material = { staticFriction: friction, dynamicFriction: friction };
   simulation.add({ shape: floor, fixed: true }, {}, material);
-  const ids = Array.from({ length: boxes }, (_, i) =>
-    simulation.add({ shape, translation: [i % 2 === 0 ? 0.04 : -0.04, 0.5 + i, 0] }, { mass: i === boxes - 1 ? mass : 1 }, material));
+  const ids = startOf(setup).map(({ translation }, i) =>
+    simulation.add({ shape, translation }, { mass: i === boxes - 1 ? mass : 1 }, material));
   const poses = (): Frame["poses"] => ids.map((id) => simulation.pose(id));
-  const made: Run = { start: poses(), frames: [] };
+  const made: Frame[] = [];
   for (let i = 1; i <= frames * every; i++) {
     simulation.step(1 / rate);
     if (i % every !== 0) continue;
     const { deepest, meanDepth, residual, contacts, mostSubSteps } = simulation.report();
-    made.frames.push({ poses: poses(), deepest, mean: meanDepth, residual, contacts, subSteps: mostSubSteps });
+    made.push({ poses: poses(), deepest, mean: meanDepth, residual, contacts, subSteps: mostSubSteps });
   }
   for (const handle of [simulation, shape, floor]) handle.dispose();
   kept.set(key, made);
   return made;
 }
-const situation = (effort: Effort, mass: number, friction = 0.6): State => ({
-  q: { query: "contacts", a: { shape: plane() }, b: { shape: box(...size), translation: [0.04, 0.5, 0] }, margin: 0.05 }, choice: { effort, mass, friction } });
-const chosen = (state: State): { effort: Effort; mass: number; friction: number } => ({
+const situation = (effort: Effort, mass: number, friction = 0.6, [x, y, z] = usualTop): State => ({
+  q: { query: "contacts", a: { shape: plane() }, b: { shape: box(...size), translation: [0.04, 0.5, 0] }, margin: 0.05 }, choice: { effort, mass, friction, x, y, z } });
+const chosen = (state: State): Setup => ({
   effort: efforts.find((e) => e === state.choice?.effort) ?? "auto",
   mass: masses.find((m) => m === state.choice?.mass) ?? 1,
   friction: Number(state.choice?.friction ?? 0.6),
+  top: ["x", "y", "z"].map((k, i) => Number(state.choice?.[k] ?? usualTop[i])),
 });
 const top = (poses: Frame["poses"]): Vec => poses[boxes - 1].translation;
 /** The way of a place from another along X, Y and Z. */
@@ -52,38 +64,53 @@ const moved = (from: Vec, to: Vec): Vec => to.map((x, i) => x - from[i]);
 
 export const stack: Lesson = {
   id: "stack", number: 13, title: "A stack", question: "Ten boxes stand on each other: what does the solver make of it?",
-  intro: "One contact has an answer in closed form. In a stack each impulse changes all the others, and a solver goes over them again and again. What it leaves is seen as sinking and as drift.",
+  intro: "One contact has an answer in closed form. In a stack each impulse changes all the others, and a solver goes over them again and again. What it leaves is seen as sinking and as drift. Drag the top box: aside, or up, so that it falls.",
   dimension: 3, view: { center: [0, 5, 0], reach: 6, from: [0.25, 0.12, 1] }, start: situation("auto", 1),
   choices: [
     { key: "effort", label: "Sub-steps", options: [{ value: "auto", label: "as needed" }, ...efforts.slice(0, 5).map((value) => ({ value, label: value }))] },
     { key: "mass", label: "Mass of the top box", options: masses.map((value) => ({ value, label: `${value} kg` })) },
     { key: "friction", label: "Friction", options: [{ value: 0.6, label: "0.6" }, { value: 0, label: "none" }] },
   ],
-  handles: () => [], drag: (s) => s,
+  handles: (s) => [{ id: "top", label: "Put the top box elsewhere", kind: "move", meaning: "b", named: true, at: chosen(s).top }],
+  drag: (s, _id, [x, y, z]) => ({ ...s, choice: { ...s.choice, x: dragTo(x), y: dragTo(Math.max(usualTop[1], y)), z: dragTo(z) } }),
+  asks: () => undefined,
+  code(state) {
+    const setup = chosen(state);
+    return {
+      programs: stackPrograms(stackOf(setup)),
+      prints() {
+        const { deepest, poses } = run(setup)[frames - 1];
+        return [deepest, ...top(poses)];
+      },
+    };
+  },
   steps(state) {
-    const { effort, mass, friction } = chosen(state), { start, frames: list } = run(effort, mass, friction);
+    const setup = chosen(state), { effort, mass, friction } = setup;
     const draw = (poses: Frame["poses"]): Step["draw"] => (d) => {
       d.shape({ shape: plane() }, "ink", { ghost: true });
       poses.forEach((pose, i) => {
         const body: Body = { shape: box(...size), ...pose };
         d.shape(body, i === boxes - 1 ? "b" : "a");
       });
-      const from = top(start), to = top(poses);
+      const from = setup.top, to = top(poses);
       d.line([from[0], 0, from[2]], [from[0], from[1] + 1, from[2]], "axis", { dashed: true });
       d.point(from, "axis");
       d.point(to, "touch", { wide: true, label: "top" });
     };
-    const deepest = list.map((f) => f.deepest), drift = (f: Frame): Vec => moved(top(start), top(f.poses));
+    const drift = (f: Frame): Vec => moved(setup.top, top(f.poses));
+    const aside = setup.top.every((x, i) => x === usualTop[i]) ? "each stands 8 cm beside the one below" : "each stands 8 cm beside the one below, but for the top one, which was put elsewhere";
     const steps: Step[] = [{
       title: "Ten boxes",
-      text: `A box of one metre and one kilogram on another, nine of them, and one of ${mass} kg on top; each stands 8 cm beside the one below. The lowest contact has to carry ${8 + 1 + mass} kg. A step of 1/${rate} s is divided into sub-steps. In each the solver goes once over all contacts, and starts from the impulses that it found last: a warm start. The library offers no solver without it, so there is no switch for that here.`,
+      text: `A box of one metre and one kilogram on another, nine of them, and one of ${mass} kg on top; ${aside}. The lowest contact has to carry ${8 + 1 + mass} kg. A step of 1/${rate} s is divided into sub-steps. In each the solver goes once over all contacts, and starts from the impulses that it found last: a warm start. The library offers no solver without it, so there is no switch for that here.`,
       numbers: { caption: "What is simulated", columns: ["quantity", "value"], rows: [{ cells: ["boxes", boxes] }, { cells: ["mass of the top box, kg", mass] }, { cells: ["friction", friction] }, { cells: ["sub-steps of a step", named[effort]] }] },
+      handles: ["top"],
       says: `Ten boxes on each other, the top one of ${mass} kilograms.`,
-      draw: draw(start),
+      draw: draw(startOf(setup)),
     }];
-    list.forEach((frame, i) => {
+    for (let i = 0; i < frames; i++) steps.push(later(() => {
+      const list = run(setup), frame = list[i], deepest = list.map((f) => f.deepest);
       const by = drift(frame), seconds = (i + 1) / frames;
-      steps.push({
+      return {
         title: `After ${seconds.toFixed(1)} s`,
         text: `The deepest contact overlaps by ${digits(frame.deepest * 1000, 4)} mm. The top box is ${digits(Math.abs(by[1]) * 1000, 4)} mm ${by[1] < 0 ? "lower" : "higher"} than it was put, and ${digits(Math.abs(by[0]) * 1000, 4)} mm to the ${by[0] < 0 ? "left" : "right"}. ${frame.subSteps} sub-steps were taken. The fastest approach that the solver left at a touching point is ${digits(frame.residual * 1000, 4)} mm/s.`,
         numbers: { caption: "What the library reports of the step", columns: ["quantity", "value"], rows: [
@@ -92,22 +119,25 @@ export const stack: Lesson = {
         graph: { caption: "depth in mm", at: i, series: [{ name: "deepest", meaning: "touch", values: deepest.map((x) => x * 1000) }, { name: "mean", meaning: "made", values: list.map((f) => f.mean * 1000) }] },
         says: `After ${seconds.toFixed(1)} seconds the deepest contact is ${digits(frame.deepest * 1000, 3)} millimetres deep.`,
         draw: draw(frame.poses),
-      });
-    });
-    const all = efforts.map((e) => ({ e, end: run(e, mass, friction).frames[frames - 1] }));
-    const end = list[frames - 1];
-    steps.push({
-      title: "One second, with every effort",
-      text: "The contacts are soft: a spring pushes what overlaps apart, as stiff as the sub-step allows. Shorter sub-steps are stiffer and bring an impulse from the floor further up, so that half the sub-step sinks about a quarter as deep. More mass on top sinks deeper, and far too much is not held at all. Left to itself the library takes more sub-steps where a contact bears so much that it would visibly sink.",
-      formula: ['"depth" ~ h^2'],
-      numbers: { caption: "After one second, in mm: the deepest contact, the top box down and aside", columns: ["sub-steps", "deepest", "down", "aside", "taken"], rows: all.map(({ e, end: f }) => ({ cells: [e === "auto" ? "needed" : named[e], f.deepest * 1000, -drift(f)[1] * 1000, drift(f)[0] * 1000, f.subSteps], mark: e === effort ? "now" as const : undefined })) },
-      graph: { caption: "deepest in mm for 1, 2, 4, 8, 16 sub-steps, as needed", at: efforts.indexOf(effort), series: [{ name: "deepest", meaning: "touch", values: all.map(({ end: f }) => f.deepest * 1000) }] },
-      says: `With every effort: deepest from ${digits(Math.min(...all.map(({ end: f }) => f.deepest)) * 1000, 3)} to ${digits(Math.max(...all.map(({ end: f }) => f.deepest)) * 1000, 3)} millimetres.`,
-      draw: draw(end.poses),
-    });
+      };
+    }));
+    steps.push(later(() => {
+      const all = efforts.map((e) => ({ e, end: run({ ...setup, effort: e })[frames - 1] }));
+      return {
+        title: "One second, with every effort",
+        text: "The contacts are soft: a spring pushes what overlaps apart, as stiff as the sub-step allows. Shorter sub-steps are stiffer and bring an impulse from the floor further up, so that half the sub-step sinks about a quarter as deep. More mass on top sinks deeper, and far too much is not held at all. Left to itself the library takes more sub-steps where a contact bears so much that it would visibly sink.",
+        formula: ['"depth" ~ h^2'],
+        numbers: { caption: "After one second, in mm: the deepest contact, the top box down and aside", columns: ["sub-steps", "deepest", "down", "aside", "taken"], rows: all.map(({ e, end: f }) => ({ cells: [e === "auto" ? "needed" : named[e], f.deepest * 1000, -drift(f)[1] * 1000, drift(f)[0] * 1000, f.subSteps], mark: e === effort ? "now" as const : undefined })) },
+        graph: { caption: "deepest in mm for 1, 2, 4, 8, 16 sub-steps, as needed", at: efforts.indexOf(effort), series: [{ name: "deepest", meaning: "touch", values: all.map(({ end: f }) => f.deepest * 1000) }] },
+        says: `With every effort: deepest from ${digits(Math.min(...all.map(({ end: f }) => f.deepest)) * 1000, 3)} to ${digits(Math.max(...all.map(({ end: f }) => f.deepest)) * 1000, 3)} millimetres.`,
+        draw: draw(run(setup)[frames - 1].poses),
+      };
+    }));
     return steps;
   },
   tryThis: [
+    { label: "A box that falls", note: "The top box falls a metre onto the other nine: see how deep it goes in, and where it comes to rest.", state: situation("auto", 1, 0.6, [0, 10.5, 0]) },
+    { label: "Over the edge", note: "Its centre of mass stands beyond the box below: it tips and takes others with it.", state: situation("auto", 1, 0.6, [0.56, 9.5, 0]) },
     { label: "One sub-step", note: "The whole step at once: softer contacts, a deeper stack.", state: situation("1", 1) },
     { label: "A hundred to one", note: "As much as ten stacks on the lowest box. As many sub-steps as it takes.", state: situation("auto", 100) },
   ],

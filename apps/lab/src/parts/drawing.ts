@@ -12,6 +12,8 @@ export interface Look {
   /** Drawn thinner and pale. */
   ghost?: boolean;
   dashed?: boolean;
+  /** In space: without its edges. */
+  bare?: boolean;
   wide?: boolean;
   /** Lights up with the rows of the table that have the key. */
   key?: string;

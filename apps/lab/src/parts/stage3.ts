@@ -204,7 +204,7 @@ export class Stage3 implements Stage, Drawing {
     this.picks.push(mesh);
     this.keep(mesh, look);
     group.add(mesh);
-    group.add(new THREE.LineSegments(edges, this.paints.of("edges", { color: color(meaning), opacity: look?.ghost && !lit ? 0.35 : 1 },
+    if (!look?.bare) group.add(new THREE.LineSegments(edges, this.paints.of("edges", { color: color(meaning), opacity: look?.ghost && !lit ? 0.35 : 1 },
       (paint) => new THREE.LineBasicMaterial({ ...paint, transparent: true }))));
     this.drawn.add(group);
     if (lit) this.drawEdges(edges, group, meaning);

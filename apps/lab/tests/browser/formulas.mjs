@@ -55,13 +55,14 @@ test("appendix: every pair has its numbers from the library, before a drag and a
       before = told;
       const answer = JSON.parse(query(JSON.stringify(question)));
       assert.equal(answer.error, undefined, label);
-      if (answer.hit === false) assert.equal(told.hit, "no");
+      if (answer.hit === false) assert.equal(told.hit, "no", `${label} ${moved} ${JSON.stringify(told)}`);
       else if (!unbounded[label]) {
         const name = "t" in answer ? "t" : "distance";
         assert.equal(Number(told[name]), answer[name], label);
         const last = (await formulas(page)).flatMap(numbersOf);
         assert.ok(last.some((x) => Math.abs(x - answer[name]) <= 1e-4 * Math.abs(x)), `${label}: ${last} without ${answer[name]}`);
-      } else for (const [name, value] of Object.entries(unbounded[label](q))) near(Number(told[name]), value, 1e-12);
+      } else if (moved) // before, the state has the bodies of another pair
+        for (const [name, value] of Object.entries(unbounded[label](q))) near(Number(told[name]), value, 1e-12);
     }
   }
   await example(page, "Parallel lines");
