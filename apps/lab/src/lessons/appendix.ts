@@ -69,7 +69,7 @@ export const appendix: Lesson = {
         extend?.(d);
       };
       return [{ title, text: pair.text, formula: pair.formula, says: `The pair ${pair.label}.`, draw: whole }, {
-        title: found, text, formula, numbers: { caption: "Answer", columns: ["quantity", "value"], rows }, says,
+        title: found, text, formula, numbers: { caption: "Answer (units of length)", columns: ["quantity", "value"], rows }, says,
         draw(d) {
           whole(d);
           draw(d);
@@ -90,14 +90,14 @@ export const appendix: Lesson = {
     spans.forEach((s, i) => steps.push({
       title: `Part of the shape: ${s.name}`,
       text: "The ray is inside of this half-space, or inside of this curved part, for the parameters of the span. It is inside the whole shape where it is inside all of them.",
-      numbers: { caption: "Spans of the ray", columns: ["part", "from", "to"], rows: spans.slice(0, i + 1).map((x, k) => ({ cells: [x.name, ...(isNever(x) ? ["never", ""] : x.span)], mark: k === i ? "now" as const : undefined })) },
+      numbers: { caption: "Spans of the ray (units of length)", columns: ["part", "from", "to"], rows: spans.slice(0, i + 1).map((x, k) => ({ cells: [x.name, ...(isNever(x) ? ["never", ""] : x.span)], mark: k === i ? "now" as const : undefined })) },
       says: isNever(s) ? `${s.name}: never inside.` : `${s.name}: from ${digits(s.span[0], 4)} to ${digits(s.span[1], 4)}.`, draw: base,
     }));
     steps.push({
       title: missed ? "No hit" : "The answer",
       formula: pair.worked(q, answer),
       text: missed ? "No parameter of the ray lies in all spans." : `Found by ${answer.trace.method.replace(/gjk|epa/, (name) => name.toUpperCase())}.`,
-      numbers: { caption: "Answer", columns: ["quantity", "value"], rows },
+      numbers: { caption: "Answer (units of length)", columns: ["quantity", "value"], rows },
       says: missed ? "The ray misses." : q.query === "raycast" ? `Hit after ${digits(answer.t, 5)}.` : `Distance ${digits(answer.distance, 5)}.`,
       draw(d) {
         base(d);
@@ -121,5 +121,5 @@ export const appendix: Lesson = {
     { label: "A ray in the plane", note: "The denominator is zero: the ray lies in the surface, starts in contact, and the answer is t = 0.", state: example("ray-plane", { ray: { origin: [-1.2, 0, 0], direction: [1, 0, 0] } }) },
     { label: "A point on an edge", note: "Distance zero: the direction to the nearest point does not exist, and the normal is that of the triangle.", state: example("point-triangle", { point: [0.2, 0, -0.7] }) },
   ],
-  sources: ["C. Ericson: Real-Time Collision Detection (2005), chapter 5", "S. Woop, C. Benthin, I. Wald: Watertight ray/triangle intersection, Journal of Computer Graphics Techniques 2 (2013)"],
+  sources: ["C. Ericson: Real-Time Collision Detection (2005), sections 5.1 (nearest points) and 5.3 (lines and rays), 5.4.4 (two planes)", "S. Woop, C. Benthin, I. Wald: Watertight ray/triangle intersection, Journal of Computer Graphics Techniques 2 (2013)"],
 };

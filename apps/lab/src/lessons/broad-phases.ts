@@ -170,14 +170,16 @@ export const broadPhases: Lesson = {
     const moves = kinds.map((k) => ({ k, both: update(k, scene) })), moved = update(kind, scene);
     const steps: Step[] = [{
       title: `The structure: ${labels[kind]}`,
-      text: `${how[kind]} ${drawn[kind]}`,
+      text: `${how[kind]} ${drawn[kind]}` + (parts.length > 0 ? " Drag the box: the parts that it meets are dark." : ""),
+      handles: parts.length > 0 ? ["ask"] : [],
       numbers: parts.length > 0
         ? { caption: "Parts of the structure", columns: ["part", "how many"], rows: levels.map((depth) => ({ cells: [kind === "hashedGrid" ? "cells" : depth === 0 ? "the root" : `depth ${depth}`, parts.filter((p) => p.depth === depth).length], key: `depth-${depth}` })) }
         : { caption: "Parts of the structure", columns: ["part", "how many"], rows: [{ cells: ["boxes around boxes", 0] }] },
       says: parts.length > 0 ? `${parts.length} parts on ${levels.length} levels.` : "Sorted lists have no parts in space.",
       draw(d) {
-        drawParts(d, parts);
+        drawParts(d, parts, parts.length > 0 ? met : undefined);
         drawBodies(d, boxes, () => "out");
+        if (parts.length > 0) drawBounds(d, asker, "ink", { wide: true });
       },
     }, {
       title: "One box asks",

@@ -54,7 +54,7 @@ function withoutPreference(q: State["q"], { trace, manifolds }: Answer): Step {
       (goes ? "On it no box stands: it tips, a face has the least overlap in the next frame, and so on. The library therefore takes an edge only where its overlap is less than that of the best face by more than 1/200 of the smaller box." : "The library takes the edges here, too: no face is nearly as good.")
       : "The least overlap is that of a face, which is taken with the preference and without it. Try \"An edge wins by a hair\".") +
       " The preference is a constant of the library's routines, none of its settings: this is worked out from the trace.",
-    numbers: { caption: "Points of contact", columns: ["by", "points", "least overlap"], rows: [
+    numbers: { caption: "Points of contact (units of length)", columns: ["by", "points", "least overlap"], rows: [
       { cells: [`the library: ${trace.winner ?? ""}`, points.length, trace.axes.find((x) => x.name === trace.winner)?.overlap ?? ""], mark: "winner" },
       ...(least ? [{ cells: [`least overlap alone: ${least.name}`, 1, least.overlap], mark: "out" as const }] : [])] },
     says: least ? `By the least overlap alone one point is left of ${points.length}.` : "A face has the least overlap.",
@@ -92,7 +92,7 @@ function crossed(corners: Vec[], cut: Cut, n: Vec): string[] {
   return ['"no edge is crossed"'];
 }
 const table = (points: ContactPoint[], now: number): Step["numbers"] => ({
-  caption: "Points of contact", columns: ["point", "distance", "features"],
+  caption: "Points of contact (units of length)", columns: ["point", "distance", "features"],
   rows: points.map((p, i) => ({ cells: [`${i + 1}`, p.distance, featureWords(p.feature)], key: `point-${i}`, mark: i === now ? "now" as const : undefined })),
 });
 
@@ -112,7 +112,7 @@ export const contactSet: Lesson = {
       title: "An axis for the contacts",
       text: manifold ? `${answer.trace.reason ?? answer.trace.winner}. The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
         : "They are further apart than the margin: there is no contact. Move B down.",
-      numbers: { caption: "Shadows on the axes", columns: ["axis", "overlap", "gap"], rows: answer.trace.axes.filter((x) => x.name !== "normal").map((x) => ({ cells: [x.name, x.overlap < 0 ? "" : x.overlap, x.overlap < 0 ? -x.overlap : ""], key: x.name, mark: x.name === answer.trace.winner ? "winner" as const : undefined })) },
+      numbers: { caption: "Shadows on the axes (units of length)", columns: ["axis", "overlap", "gap"], rows: answer.trace.axes.filter((x) => x.name !== "normal").map((x) => ({ cells: [x.name, x.overlap < 0 ? "" : x.overlap, x.overlap < 0 ? -x.overlap : ""], key: x.name, mark: x.name === answer.trace.winner ? "winner" as const : undefined })) },
       says: manifold ? `Contacts stand on ${answer.trace.winner}.` : "No contact.",
       draw(d) {
         drawBodies(d, q);

@@ -55,7 +55,7 @@ export const epaPlane: Lesson = {
         title: `Step ${i + 1}: ${polygon.length} sides`,
         text: explain(s, last, true),
         formula: ['"to the side" <= "depth" <= "to s"', `${digits(s.faceDepth, 6)} <= "depth" <= ${digits(s.foundDepth, 6)}`],
-        numbers: { caption: "The polytope", columns: ["step", "sides", "at least", "at most"],
+        numbers: { caption: "The polytope (units of length)", columns: ["step", "sides", "at least", "at most"],
           rows: list.slice(0, i + 1).map((t, k) => ({ cells: [String(k + 1), (t.polygon ?? []).length, t.faceDepth, t.foundDepth], mark: k === i ? "now" as const : undefined })) },
         graph: bounds(list, i),
         says: `Step ${i + 1}: the depth is between ${digits(s.faceDepth, 4)} and ${digits(s.foundDepth, 4)}.`,
@@ -110,11 +110,16 @@ const spaceState = (translation: Vec, rotation: Vec): State => ({
 
 const at = (p: Support): Vec => add(homeSpace, sub(p.b, p.a));
 /** The number of corners with which the polytope began: the trace lists them in the order in which they came, one for
- *  each step after those. Nothing when they do not reach as far as the steps say. */
+ *  each step after those, but for a last step that found a corner which was there. Nothing when they do not reach as far
+ *  as the steps say. */
 function beginning({ epa, polytope }: Trace): number | null {
-  const points = polytope?.points ?? [], first = points.length - epa.length;
+  const points = polytope?.points ?? [];
   const fits = (s: EpaStep, p: Support): boolean => Math.abs(dot(sub(p.b, p.a), scale(s.normal, -1)) - s.foundDepth) <= 1e-9 * Math.max(s.foundDepth, s.faceDepth);
-  return first > 3 && epa.every((s, i) => fits(s, points[first + i])) ? first : null;
+  for (const found of [epa.length, epa.length - 1]) {
+    const first = points.length - found;
+    if (first > 3 && epa.slice(0, found).every((s, i) => fits(s, points[first + i]))) return first;
+  }
+  return null;
 }
 /** The hull of corners, as the library builds and draws it. */
 function drawHull(d: Drawing, corners: Support[], ghost = false): void {
@@ -156,14 +161,14 @@ export const epaSpace: Lesson = {
       title: `Step ${i + 1}: on to ${s.faces} triangles`, text: explain(s, i === list.length - 1, false),
       formula: ['"to the triangle" <= "depth" <= "to s"', `${digits(s.faceDepth, 8)} <= "depth" <= ${digits(s.foundDepth, 8)}`, `"difference" = ${digits(s.foundDepth - s.faceDepth, 3)}`],
       graph: bounds(list, i),
-      numbers: { caption: "Bounds of the depth", columns: ["step", "faces", "at least", "at most"], rows: list.slice(Math.max(0, i - 9), i + 1).map((t, k, l) => ({ cells: [String(Math.max(0, i - 9) + k + 1), t.faces, t.faceDepth, t.foundDepth], mark: k === l.length - 1 ? "now" as const : undefined })) },
+      numbers: { caption: "Bounds of the depth (units of length)", columns: ["step", "faces", "at least", "at most"], rows: list.slice(Math.max(0, i - 9), i + 1).map((t, k, l) => ({ cells: [String(Math.max(0, i - 9) + k + 1), t.faces, t.faceDepth, t.foundDepth], mark: k === l.length - 1 ? "now" as const : undefined })) },
       says: `Step ${i + 1}: depth between ${digits(s.faceDepth, 5)} and ${digits(s.foundDepth, 5)}; normal ${vector(s.normal, 3)}.`,
       draw(d) {
         paint(d);
         const before = points.slice(0, first === null ? points.length : first + i);
         drawHull(d, before);
         drawFace(d, s, before);
-        const found = first === null ? null : points[first + i];
+        const found = first === null ? null : points[first + i] ?? null;
         drawTrace(d, { epa: [{ ...s, found: found ?? undefined }] }, { by: homeSpace, look: { wide: true },
           points: (k) => ({ wide: true, label: k === 1 ? "s" : undefined }), as: { gap: "made", normal: "ink", contact: found ? "touch" : null } });
         if (!found) return;
@@ -177,7 +182,7 @@ export const epaSpace: Lesson = {
         "On curved shapes the bounds never meet; what is left between them is below the tolerance.",
       formula: [`d = ${digits(answer.distance, 8)}`, `n = [${answer.normal!.map((x) => digits(x, 4)).join(", ")}]`],
       graph: bounds(list, list.length - 1),
-      numbers: { caption: "Answer", columns: ["quantity", "value"], rows: [{ cells: ["distance", answer.distance!], mark: "winner" }, { cells: ["normal", vector(answer.normal, 4)] },
+      numbers: { caption: "Answer (units of length)", columns: ["quantity", "value"], rows: [{ cells: ["distance", answer.distance!], mark: "winner" }, { cells: ["normal", vector(answer.normal, 4)] },
         { cells: ["on A", vector(answer.a as unknown as Vec, 4)] }, { cells: ["on B", vector(answer.b as unknown as Vec, 4)] }] },
       says: `Depth ${digits(-answer.distance!, 6)}, normal ${vector(answer.normal, 3)}.`,
       draw(d) {
@@ -191,7 +196,12 @@ export const epaSpace: Lesson = {
     });
     return steps;
   },
-  tryThis: [{ label: "Deeper", note: "More faces are nearly as near as the nearest.", state: spaceState([0.2, 0.1, 0.1], quatAbout([0.3, 0.2, 1], 0.7)) }],
+  tryThis: [
+    { label: "Barely touching", note: "The origin is close to the boundary: the first triangles are nearly right, and the bounds close fast.", state: spaceState([1.15, 0.75, 0.3], quatAbout([0.3, 0.2, 1], 0.7)) },
+    { label: "Flat on flat", note: "All faces of the difference are flat: after a few steps the bounds meet exactly, and the last finds no new corner.", state: { q: { query: "distance",
+      a: { shape: box(1.8, 1.2, 1.4) }, b: { shape: convex([[-0.8, -0.6, -0.7], [0.8, -0.6, -0.7], [0, 0.9, 0], [-0.8, -0.6, 0.7], [0.8, -0.6, 0.7]]), translation: [0.9, 0.7, 0.2], rotation: quatAbout([0.2, 1, 0.4], 0.5) } } } },
+    { label: "Deeper", note: "More faces are nearly as near as the nearest.", state: spaceState([0.2, 0.1, 0.1], quatAbout([0.3, 0.2, 1], 0.7)) },
+  ],
   wrong: [{ label: "Same centre, same axis", note: "All directions round the axis are equally good: the polytope grows everywhere before it may stop.", state: spaceState([0, 0, 0], [0, 0, 0, 1]) }],
   sources: epaPlane.sources,
 };

@@ -100,7 +100,7 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
     const dropped = before.map(name).filter((w) => !names.includes(w));
     const where = before.length > 1 ? `O lies in the region of ${listed(names)}${flat ? " (shaded)" : ""}. ` : "";
     const rows = s.simplex.map((p) => ({ cells: cells(name(p), p), key: name(p) }));
-    const columns = { caption: "Corners of the simplex, and what was found", columns: ["point", "of A", "of B", "b − a"] };
+    const columns = { caption: "Corners of the simplex, and what was found (units of length)", columns: ["point", "of A", "of B", "b − a"] };
     const joined = i > 0 ? `The last s has joined as ${name(list[i - 1].found)}. ` : `It begins with any point of the difference, ${names[0]}. `;
     if (s.direction.every((x) => x === 0)) {
       steps.push({
@@ -160,7 +160,7 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
         : "v is a mean of the simplex's corners with weights λ. The same weights applied to the corners' points of A give the point of A that is nearest to B, and those of B the point of B: their difference is v, their distance |v|."),
     formula: inside ? ["O in B ⊖ A", `d = ${digits(answer.distance, 8)}`]
       : ["v = λ_1 w_1 + λ_2 w_2 + ...", "a = λ_1 a_1 + λ_2 a_2 + ...", "b = λ_1 b_1 + λ_2 b_2 + ...", `d = |v| = ${digits(answer.distance, 8)}`],
-    numbers: { caption: "Answer", columns: ["quantity", "value"], rows: [
+    numbers: { caption: "Answer (units of length)", columns: ["quantity", "value"], rows: [
       ...(more && end ? [{ cells: ["d, in A's frame", digits(answer.distance, 15)], mark: "winner" as const }, { cells: ["|v|, in the world", digits(end.upper, 15)], mark: "out" as const }]
         : [{ cells: ["distance", answer.distance!], mark: "winner" as const }]),
       { cells: ["normal", vector(answer.normal, 5)] }, { cells: ["on A", vector(a, 5 + more)] }, { cells: ["on B", vector(b, 5 + more)] }] },

@@ -73,7 +73,7 @@ function sliding(state: State, corners: Support[]): Step {
     text: sum ? "Drag the point on the outline. B's origin goes round A, and what B reaches on its way is the sum: the outline follows a side of A while the same corner of B leads, and a side of B at each corner of A."
       : "Drag the point on the outline. B slides round A without turning and without leaving it; what is drawn is how far B has to go from there to where it stands. Where B's corner slides along a side of A, the outline has that side; where A's corner slides along a side of B, that one.",
     formula: [sum ? "p = a + b" : "p = b - a", `p = ${row(flat(sub(made.b, made.a)), 4)}`],
-    numbers: { caption: "There", columns: ["quantity", "value"], rows: [
+    numbers: { caption: "There (units of length)", columns: ["quantity", "value"], rows: [
       { cells: ["of A", vector(sum ? scale(flat(made.a), -1) : flat(made.a), 4)] }, { cells: ["of B", vector(flat(made.b), 4)] },
       { cells: ["p", vector(flat(sub(made.b, made.a)), 4)], mark: "winner" },
       ...(apart === null ? [] : [{ cells: ["distance of A and the moved B", Math.abs(apart) < 1e-12 ? 0 : apart] }])] },
@@ -149,9 +149,9 @@ export const minkowski: Lesson = {
           `round the other, sides of both follow each other in the order of their directions.`,
         formula: [`c = ${sign}`, `${row(sum ? ofA(corner.a) : flat(corner.b), 4)} ${sum ? "+" : "-"} ${row(sum ? flat(corner.b) : flat(corner.a), 4)} = ${row(flat(sub(corner.b, corner.a)), 4)}`],
         numbers: {
-          caption: `Corners of the ${word}`, columns: ["corner", "of A", "of B", "made"],
+          caption: `Corners of the ${word} (units of length)`, columns: ["corner", "of A", "of B", "made"],
           rows: corners.slice(0, i + 1).map((c, k) => ({
-            cells: [String(k + 1), vector(ofA(c.a), 3), vector(flat(c.b), 3), vector(flat(sub(c.b, c.a)), 3)], key: `corner-${k}`, mark: k === i ? "now" as const : undefined })),
+            cells: [String(k + 1), ofA(c.a), flat(c.b), flat(sub(c.b, c.a))], key: `corner-${k}`, mark: k === i ? "now" as const : undefined })),
         },
         says: `Corner ${i + 1} at ${vector(flat(sub(corner.b, corner.a)), 3)}.`,
         draw(d) {
@@ -180,7 +180,7 @@ export const minkowski: Lesson = {
       text: `Nobody has to build the ${word}. Its point furthest along a direction d is made of B's point furthest along d and A's furthest along ` +
         `${sum ? "d" : "−d"}. Turn d with the handle. GJK asks for nothing else.`,
       formula: [sum ? "s(d) = s_A(d) + s_B(d)" : "s(d) = s_B(d) - s_A(-d)", `s = [${made.map((x) => digits(x, 4)).join(", ")}]`],
-      numbers: { caption: "Support points", columns: ["of", "point"], rows: [
+      numbers: { caption: "Support points (units of length)", columns: ["of", "point"], rows: [
         { cells: ["A", vector(a, 5)] }, { cells: ["B", vector(b, 5)] }, { cells: [word, vector(made, 5)], mark: "winner" }] },
       handles: ["direction"],
       says: `Furthest along ${vector(u, 2)}: ${vector(made, 3)}.`,

@@ -76,7 +76,7 @@ function given(state: State, base: (d: Drawing) => void): Step {
           "Close to such a position rounding alone turns the plane. The length of the product says so, before anybody divides by it. Drag a point off the line."
         : "Two sides of the triangle lie in the plane, and their cross product is perpendicular to both: divided by its length it is n. The order of the points says which side is above. Drag them.",
       formula: ["c = (q - p) × (r - p)", `c = ${row(c)}`, ...(line ? [] : ["n = frac(c, |c|)", `n = ${row(n)}`])],
-      numbers: { caption: "Points", columns: ["point", "place"], rows: [p, q, r].map((x, i) => ({ cells: [names[i], vector(x, 4)], key: `given-${i}` })) },
+      numbers: { caption: "Points (units of length)", columns: ["point", "place"], rows: [p, q, r].map((x, i) => ({ cells: [names[i], vector(x, 4)], key: `given-${i}` })) },
       says: line ? "Three points on a line." : `A plane through three points, with normal ${vector(n, 3)}, and a box.`,
       draw(d) {
         if (line) d.shape(state.q.b!, "b", { ghost: true });
@@ -127,7 +127,7 @@ export const planesBoxes: Lesson = {
       title: `Corner ${i + 1}`,
       text: "Its signed distance from the plane: positive above, negative below. The smallest of the eight is the box's." + (i === 7 ? ` It is that of corner ${best + 1}.` : ""),
       formula: ["d = n*x - w", `d_${i + 1} = ${row(n)} * ${row(p)} - ${term(w, 3)} = ${digits(measured[i].distance, 5)}`],
-      numbers: { caption: "Corners", columns: ["corner", "point", "distance"], rows: points.slice(0, i + 1).map((x, k) => ({ cells: [String(k + 1), vector(x, 3), measured[k].distance!], key: `corner-${k}`, mark: i === 7 && k === best ? "winner" as const : k === i ? "now" as const : undefined })) },
+      numbers: { caption: "Corners (units of length)", columns: ["corner", "point", "distance"], rows: points.slice(0, i + 1).map((x, k) => ({ cells: [String(k + 1), vector(x, 3), measured[k].distance!], key: `corner-${k}`, mark: i === 7 && k === best ? "winner" as const : k === i ? "now" as const : undefined })) },
       says: `Corner ${i + 1}: ${digits(measured[i].distance, 4)}.`,
       draw(d) {
         base(d);
@@ -140,7 +140,7 @@ export const planesBoxes: Lesson = {
       title: "The projected radius",
       text: "No corner is needed. Seen along the normal, the box reaches to both sides of its centre by the sum of its half sizes, each weighted by how far its edge points along the normal. The centre's distance minus that radius is the same number.",
       formula: ["r = h_x |n*e_x| + h_y |n*e_y| + h_z |n*e_z|", radiusWorked("r", b, n, radius), `d = ${digits(center, 5)} - ${digits(radius, 5)} = ${digits(answer.distance, 5)}`],
-      numbers: { caption: "Both ways", columns: ["quantity", "distance"], rows: [{ cells: ["centre", center] }, { cells: ["radius", radius] }, { cells: ["centre − radius", answer.distance!], mark: "winner" }, { cells: ["smallest corner", measured[best].distance!], mark: "winner" }] },
+      numbers: { caption: "Both ways (units of length)", columns: ["quantity", "distance"], rows: [{ cells: ["centre", center] }, { cells: ["radius", radius] }, { cells: ["centre − radius", answer.distance!], mark: "winner" }, { cells: ["smallest corner", measured[best].distance!], mark: "winner" }] },
       says: `Distance ${digits(answer.distance, 5)}: centre ${digits(center, 4)} minus radius ${digits(radius, 4)}.`,
       draw(d) {
         base(d);

@@ -92,7 +92,7 @@ export const spheres: Lesson = {
         title: "The normal",
         text: "From the centre of A to that of B: one square root to make it a unit. With the same centre there is no such direction, and any unit vector is as good as another; the library takes one always the same way.",
         formula: ["n = frac(c, |c|)", `n = [${n.map((x) => digits(x, 5)).join(", ")}]`],
-        numbers: { caption: "Normal", columns: ["quantity", "value"], rows: [{ cells: ["n", vector(n, 6)], mark: "winner" }, { cells: ["|c|", length(c)] }] },
+        numbers: { caption: "Normal", columns: ["quantity", "value"], rows: [{ cells: ["n", n], mark: "winner" }, { cells: ["|c|", length(c)] }] },
         says: `Normal ${vector(n, 3)}.`,
         draw(draw) { centers(draw); draw.arrow(ca, add(ca, n), "axis", { wide: true, label: "n" }); },
       },
@@ -100,7 +100,7 @@ export const spheres: Lesson = {
         title: "Signed distance",
         text: "What is left between the surfaces: positive apart, negative overlapping, and then its magnitude is the depth. The points nearest to the other ball, or deepest in it, lie on the line of the centres.",
         formula: ["d = |c| - r_A - r_B", `d = ${digits(d, 6)}`],
-        numbers: { caption: "Answer", columns: ["quantity", "value"], rows: [{ cells: ["distance", d], mark: "winner" }, { cells: ["on A", vector(pa, 5)] }, { cells: ["on B", vector(pb, 5)] }] },
+        numbers: { caption: "Answer (units of length)", columns: ["quantity", "value"], rows: [{ cells: ["distance", d], mark: "winner" }, { cells: ["on A", pa] }, { cells: ["on B", pb] }] },
         says: `Signed distance ${digits(d, 5)}.`,
         draw(draw) {
           centers(draw);
@@ -113,7 +113,7 @@ export const spheres: Lesson = {
         title: "The weighted point",
         text: "Which single point is the contact? Not the middle of the overlap: a small ball deep in a big one would be pushed from the wrong place. P divides the overlap as the radii do, so its distances to the centres are as the radii are.",
         formula: ["frac(|P - c_A|, |P - c_B|) = frac(r_A, r_B)", `frac(${digits(length(sub(weighted, ca)), 4)}, ${digits(length(sub(weighted, cb)), 4)}) = frac(${digits(ra, 4)}, ${digits(rb, 4)})`],
-        numbers: { caption: "Points", columns: ["quantity", "value"], rows: [{ cells: ["P", vector(weighted, 5)], mark: "winner", key: "p" }, { cells: ["middle", vector(middle, 5)], mark: "out", key: "m" }] },
+        numbers: { caption: "Points", columns: ["quantity", "value"], rows: [{ cells: ["P", weighted], mark: "winner", key: "p" }, { cells: ["middle", middle], mark: "out", key: "m" }] },
         says: `The weighted point is ${vector(weighted, 3)}.`,
         draw(draw) {
           centers(draw);

@@ -137,7 +137,7 @@ export const stack: Lesson = {
   },
   tryThis: [
     { label: "A box that falls", note: "The top box falls a metre onto the other nine: see how deep it goes in, and where it comes to rest.", state: situation("auto", 1, 0.6, [0, 10.5, 0]) },
-    { label: "Over the edge", note: "Its centre of mass stands beyond the box below: it tips and takes others with it.", state: situation("auto", 1, 0.6, [0.56, 9.5, 0]) },
+    { label: "Over the edge", note: "Its centre of mass stands beyond the edge of the box below: it tips over and falls, and the nine stay.", state: situation("auto", 1, 0.6, [0.7, 9.5, 0]) },
     { label: "One sub-step", note: "The whole step at once: softer contacts, a deeper stack.", state: situation("1", 1) },
     { label: "A hundred to one", note: "As much as ten stacks on the lowest box. As many sub-steps as it takes.", state: situation("auto", 100) },
   ],

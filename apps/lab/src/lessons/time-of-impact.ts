@@ -49,7 +49,7 @@ export const timeOfImpact: Lesson = {
       title: "Frame by frame",
       text: `${frames + 1} still pictures of the motion. ` + (hits ? `In ${hits} of them A and B overlap: noticed, but late and deep.` : answer.hit
         ? "In none of them do A and B overlap: A tunnels. And yet they meet." : "In none of them do A and B overlap, and indeed they never meet."),
-      numbers: { caption: "Overlap at the frames", columns: ["frame", "time", "overlap"], rows: seen.map((s, k) => ({ cells: [String(k), s.t, s.overlap ? "yes" : "no"], mark: s.overlap ? "winner" as const : undefined })) },
+      numbers: { caption: "Overlap at the frames (units of time)", columns: ["frame", "time", "overlap"], rows: seen.map((s, k) => ({ cells: [String(k), s.t, s.overlap ? "yes" : "no"], mark: s.overlap ? "winner" as const : undefined })) },
       says: `${frames + 1} frames, ${hits} with overlap.`,
       draw(d) {
         for (const s of seen) d.shape(bodyAt(a0, s.t), s.overlap ? "touch" : "a", { ghost: s.t > 0, label: `t=${digits(s.t, 3)}` });
@@ -86,7 +86,7 @@ export const timeOfImpact: Lesson = {
               `They close at no more than u = ${digits(s.distance / wait, 5)} on average, with what turning adds or takes away: for ${digits(wait, 4)} nothing can touch. Advance by that and measure again.`),
           formula: last ? [`t_${i + 1} = ${digits(s.t, 8)}`, `d_${i + 1} = ${digits(s.distance, 5)}`]
             : [`t_${i + 2} = t_${i + 1} + frac(d_${i + 1}, u)`, `t_${i + 2} = ${digits(s.t, 6)} + frac(${digits(s.distance, 5)}, ${digits(s.distance / wait, 5)}) = ${digits(list[i + 1].t, 8)}`],
-          numbers: { caption: "Conservative advancement", columns: ["step", "time", "distance"],
+          numbers: { caption: "Conservative advancement (units of time and of length)", columns: ["step", "time", "distance"],
             rows: list.slice(Math.max(0, i - 11), i + 1).map((x, k, l) => ({ cells: [String(Math.max(0, i - 11) + k + 1), x.t, x.distance], mark: k === l.length - 1 ? "now" as const : undefined })) },
           graph: travelled(i),
           says: `At time ${digits(s.t, 5)} the distance is ${digits(s.distance, 4)}.`,
@@ -109,7 +109,7 @@ export const timeOfImpact: Lesson = {
         "Position, normal and point are those of this moment; a solver can stop A here instead of finding it on the other side."
         : "The answer is proven: at no time of the whole motion is their distance zero.",
       formula: answer.hit ? [`t = ${digits(answer.t, 10)}`, `n = [${answer.normal!.map((x) => digits(x, 4)).join(", ")}]`] : [],
-      numbers: answer.hit ? { caption: "Answer", columns: ["quantity", "value"], rows: [{ cells: ["time", answer.t!], mark: "winner" }, { cells: ["point", vector(answer.point, 5)] }, { cells: ["normal", vector(answer.normal, 5)] }, { cells: ["method", answer.trace.method] }] } : undefined,
+      numbers: answer.hit ? { caption: "Answer (units of time and of length)", columns: ["quantity", "value"], rows: [{ cells: ["time", answer.t!], mark: "winner" }, { cells: ["point", vector(answer.point, 5)] }, { cells: ["normal", vector(answer.normal, 5)] }, { cells: ["method", answer.trace.method] }] } : undefined,
       says: answer.hit ? `First contact at time ${digits(answer.t, 6)}.` : "No contact.",
       draw(d) {
         path(d, answer.hit ? answer.t : T);

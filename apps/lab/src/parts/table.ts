@@ -1,9 +1,10 @@
 // The numbers beside a drawing. Rows light up with the part of the drawing under the pointer, and the other way round.
 
-import { digits, h } from "./dom.ts";
+import { digits, h, vector } from "./dom.ts";
 
 export interface Row {
-  cells: (string | number)[];
+  /** Words, and numbers and vectors, which are shown with some of their digits and have all of them in the title. */
+  cells: (string | number | number[])[];
   key?: string;
   mark?: "winner" | "out" | "now";
   /** Selects the thing that the row is about: its first cell is then a button. */
@@ -30,11 +31,11 @@ export class Table {
     const now = new Map<string, string>();
     const rows = numbers.rows.map((row, i) => {
       const cells = row.cells.map((cell, j) => {
-        const text = typeof cell === "number" ? digits(cell) : cell;
+        const text = typeof cell === "number" ? digits(cell) : typeof cell === "string" ? cell : vector(cell);
         const place = `${row.key ?? i}/${j}`;
         now.set(place, text);
         if (j === 0) return h("th", { scope: "row" }, row.choose ? h("button", { type: "button", class: "choose", onclick: row.choose }, text) : text);
-        return h("td", { title: typeof cell === "number" ? String(cell) : null }, ...changed(this.before.get(place), text));
+        return h("td", { title: typeof cell === "string" ? null : String(cell) }, ...changed(this.before.get(place), text));
       });
       const classes = [row.mark && `is-${row.mark}`].filter(Boolean).join(" ");
       const [mark, says] = row.mark ? marks[row.mark] : ["", ""];

@@ -62,9 +62,26 @@ test("GJK: what ends the search is said as it is: inside, on an edge, far away, 
   await space.context().close();
 });
 
-/** Lessons whose steps are those of a trace: the number of steps before, and the library's numbers of each. */
+/** Lessons whose steps are those of an answer: the number of steps before, and the library's numbers of each. */
 const walks = {
+  spheres: (_, question) => {
+    const found = JSON.parse(query(JSON.stringify({ ...question, query: "distance" })));
+    return [2, [[found.distance, String(found.a), String(found.b)]]];
+  },
+  "planes-boxes": (_, { a, b }) => {
+    const [x, y, z, w] = b.rotation.map((v) => v / Math.hypot(...b.rotation)), half = b.shape.box.size.map((v) => v / 2);
+    const turn = (v) => {
+      const [i, j, k] = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
+      return [v[0] + w * i + y * k - z * j, v[1] + w * j + z * i - x * k, v[2] + w * k + x * j - y * i];
+    };
+    return [1, Array.from({ length: 8 }, (_, i) => {
+      const point = turn(half.map((h, k) => (i & (1 << k) ? h : -h))).map((v, k) => v + b.translation[k]);
+      return [JSON.parse(query(JSON.stringify({ query: "closest", a, point }))).distance];
+    })];
+  },
+  minkowski: ({ trace }) => [2, trace.difference.map(({ a, b }) => [a.slice(0, 2), b.slice(0, 2), [b[0] - a[0], b[1] - a[1]]].map(String))],
   epa: ({ trace }) => [1, trace.epa.map((s) => [s.polygon.length, s.faceDepth, s.foundDepth])],
+  "epa-space": ({ trace }) => [1, trace.epa.map((s) => [s.faces, s.faceDepth, s.foundDepth])],
   "time-of-impact": ({ trace }) => [2, (trace.steps ?? []).map((s) => [s.t, s.distance])],
   "contact-set": ({ trace, manifolds }) => [2 + trace.cuts.length, manifolds[0].points.map((p) => [p.distance])],
 };
@@ -76,18 +93,69 @@ for (const [id, walk] of Object.entries(walks))
       await page.click('button[aria-label^="First"]');
       await frame(page);
       const { question } = await shown(page), answer = JSON.parse(query(JSON.stringify({ ...question, explain: true })));
-      if (answer.distance > 0 || answer.hit === false || !answer.trace.method) continue; // nothing to walk through
-      const [before, list] = walk(answer);
+      if (/^epa/.test(id) && answer.distance > 0 || answer.hit === false || !answer.trace.method) continue; // nothing to walk through
+      const [before, list] = walk(answer, question);
       for (let i = 1; i < before; i++) await page.click("[data-next]");
       for (const step of list) {
         await page.click("[data-next]");
-        const told = await page.$eval(".numbers tbody tr:last-child", (row) => [...row.cells].map((c) => c.getAttribute("title")).filter(Boolean));
-        assert.deepEqual(told.map(Number), step, JSON.stringify(question));
+        const told = await page.$$eval(".numbers tbody tr", (rows, now) => (now ? rows : rows.slice(-1))
+          .flatMap((row) => [...row.cells].map((c) => c.getAttribute("title")).filter(Boolean)), id === "spheres");
+        assert.deepEqual(told.map((x) => (x.includes(",") ? x : Number(x))), step, JSON.stringify(question));
       }
     }
     assert.deepEqual(page.trouble, []);
     await page.context().close();
   });
+
+for (const id of ["gjk", "gjk-space"])
+  test(`${id}: the bounds of every iteration are the trace's to the last digit, after a drag too`, async () => {
+    const page = await visit(`#/lesson/${id}`, small);
+    for (const moved of [false, true]) {
+      if (moved) await drag(page, "move-b", 22, -13);
+      const { trace } = await traced(page), { steps } = await shown(page);
+      assert.equal(steps, trace.gjk.length + 2);
+      const told = await page.evaluate(() => window.lab.steps.slice(1, -1).map((step) => Object.fromEntries(step.graph.series.map(({ name, values }) => [name, values[step.graph.at]]))));
+      assert.deepEqual(told, trace.gjk.map(({ lower, upper }) => ({ "at most": upper, "at least": lower })));
+    }
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  });
+
+/** What is dragged in a lesson, and the number of the answer that its last step has. */
+const drags = { "contact-set": ["move-b", ({ manifolds }) => manifolds[0]?.points[0].distance], "gjk-space": ["move-b", ({ distance }) => distance],
+  epa: ["move-b", ({ distance }) => distance], "epa-space": ["turn-b", ({ distance }) => distance], "time-of-impact": ["velocity", ({ t }) => t],
+  resolution: ["velocity-b", ({ b }) => b.linear[0]] };
+for (const [id, [handle, number]] of Object.entries(drags))
+  test(`${id}: a drag changes the numbers to those of the library`, async () => {
+    const page = await visit(`#/lesson/${id}`, small), words = () => page.textContent(".side");
+    await page.click('button[aria-label^="Last"]');
+    const before = await words(), was = number(await traced(page));
+    await drag(page, handle, 9, 4);
+    await page.click('button[aria-label^="Last"]');
+    const is = number(await traced(page)), after = await words();
+    assert.notEqual(is, was);
+    assert.notEqual(after, before);
+    assert.ok(after.includes(short(is, 4)), `${after} without ${is}`);
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  });
+
+test("a stack: the top box begins where it was dragged to, and nothing is simulated before it is asked for", async () => {
+  const page = await visit("#/lesson/stack", small);
+  await drag(page, "top", 30, -20);
+  const { state: { choice: { x, y, z } } } = await shown(page);
+  assert.ok(x > 0.1 && y > 9.7, `${x}, ${y}`);
+  assert.ok((await page.textContent(".code details:first-child")).includes(`${x}, ${y}, ${z}`), "the program has another place");
+  await page.click("[data-next]");
+  const simulation = new graze.Simulation({ sleep: false }), box = new graze.Box([1, 1, 1]), floor = new graze.HalfSpace();
+  simulation.add({ shape: floor, fixed: true });
+  for (let i = 0; i < 10; i++) simulation.add({ shape: box, translation: i === 9 ? [x, y, z] : [i % 2 === 0 ? 0.04 : -0.04, 0.5 + i, 0] }, { mass: 1 });
+  for (let i = 0; i < 6; i++) simulation.step(1 / 60);
+  assert.equal(Number(await page.$eval(".numbers tr.is-now td[title]", (cell) => cell.title)), simulation.report().deepest);
+  for (const made of [simulation, box, floor]) made.dispose();
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
 
 test("large hulls: every layer's counts and the total are the library's", async () => {
   const page = await visit("#/lesson/hulls");
