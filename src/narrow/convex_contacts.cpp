@@ -12,6 +12,7 @@
 #include "narrow/manifold/polygon.hpp"
 #include "narrow/manifold/rounded_face.hpp"
 #include "narrow/pair_table.hpp"
+#include "narrow/pairs/box_box/reference_axis.hpp"
 #include "narrow/sat/polyhedral_pair.hpp"
 #include "narrow/sat/reference_axis.hpp"
 #include "shape/rounding.hpp"
@@ -109,23 +110,19 @@ bool same_direction(const Vec3d& one, const Vec3d& other) {
 template <class T>
 Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
                        const Vec3d& normal, double distance) {
-  Vec3d best = normal;
-  double most = distance - face_preference * smaller_size(a, b);
+  PreferredNormal<double> preferred(distance, normal, smaller_size(a, b));
   const auto highest = [](const Side<T>& side, const PlacedFace& face, const Vec3d& outward) {
     return side.flat_sided() ? face.vertices[0] : side.core_support(outward);
   };
   const auto consider = [&](const Vec3d& candidate, const Vec3d& on_a, const Vec3d& on_b) {
-    const double along = dot(on_b - on_a, candidate) - a.radius() - b.radius();
-    if (along < most) return;
-    most = along;
-    best = candidate;
+    preferred.consider(true, candidate, dot(on_b - on_a, candidate) - a.radius() - b.radius());
   };
   const Vec3d of_a = polygon_normal(face_a), of_b = polygon_normal(face_b);
   if (same_direction<T>(of_a, normal)) return of_a;
   if (same_direction<T>(of_b, -normal)) return -of_b;
   if (of_a != Vec3d{}) consider(of_a, highest(a, face_a, of_a), b.core_support(-of_a));
   if (of_b != Vec3d{}) consider(-of_b, a.core_support(-of_b), highest(b, face_b, of_b));
-  return best;
+  return preferred.best;
 }
 
 /// The face of a side along `outward` when `known` is its face along a nearby direction: the same where that is the
@@ -235,7 +232,7 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
     return static_cast<T>(distance);
   }
 
-  const SeparatingAxis& axis = reference_axis(axes, smaller_size(side_a, side_b));
+  const SeparatingAxis& axis = reference_axis(axes, noise, smaller_size(side_a, side_b));
   const MeetingFaces faces{axis.normal,
                            pair.face_a(side_a, axis.normal),
                            pair.face_b(side_b, axis.normal),

@@ -198,10 +198,11 @@ bool explain_reference_axis(const Shape<T>& a, const Pose<T>& pose_a, const Shap
   const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
   const PolyhedralPair pair(a, b, b_in_a);
   const SeparatingAxes axes = pair.all_axes();
-  const SeparatingAxis& best = axes.best(noise_of(a, b, b_in_a.translation));
+  const double noise = noise_of(a, b, b_in_a.translation);
+  const SeparatingAxis& best = axes.best(noise);
   if (answer.points.empty()) return best.separation - radius_of(a) - radius_of(b) > static_cast<double>(margin);
   const double smaller = least(Side<T>(a, Posed{}).size(), Side<T>(b, Posed{}).size());
-  const SeparatingAxis& axis = reference_axis(axes, smaller);
+  const SeparatingAxis& axis = reference_axis(axes, noise, smaller);
   // The answer's normal is rounded to T; the axis of two nearly parallel edges differs by more.
   const Vec3d normal = rotate(frame.rotation, axis.normal);
   if (length(normal - converted<double>(answer.normal)) >

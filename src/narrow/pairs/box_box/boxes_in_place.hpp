@@ -66,7 +66,6 @@ inline constexpr int first_of_b_clipping = 15;
 /// `face_preference`.
 template <class S>
 BoxReferenceAxis<S> box_reference_axis(const BoxesInPlace<S>& p, const S& margin) {
-  using std::abs;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const S size_a = length(p.rows.half_a), size_b = length(p.rows.half_b), noise = box_noise(p, size_a, size_b);
@@ -75,11 +74,9 @@ BoxReferenceAxis<S> box_reference_axis(const BoxesInPlace<S>& p, const S& margin
   const Mask decided = face > margin + noise;
   S edge(-std::numeric_limits<T>::infinity()), edge_number(0);
   if (!all(decided)) edge = select(decided, edge, best_edges(p.rows, face + noise, edge_number));
-  const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
-  const S separation = select(edge_best, edge, face);
-  const S distance = select(abs(separation) <= noise, S(0), separation);
-  const Mask outside = distance > margin;
-  const Mask by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
+  const AxisChoice<S> choice = choose_axis(face, edge, noise, least(size_a, size_b));
+  const S distance = choice.distance(noise);
+  const Mask by_edge = choice.by_edge(distance > margin);
   const S of_edge = edge_number + select(p.b_first, S(T(first_of_b_clipping - 6)), S(0));
   return {distance, select(by_edge, of_edge, face_number)};
 }

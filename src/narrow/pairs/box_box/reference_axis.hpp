@@ -7,6 +7,7 @@
 #include "graze/shape.hpp"
 #include "narrow/core/relative_frame.hpp"
 #include "narrow/pairs/box_box/sat.hpp"
+#include "narrow/sat/choose_axis.hpp"
 
 namespace graze {
 
@@ -16,13 +17,6 @@ BoxPair<S> box_pair(const Vec3<S>& half_a, const Pose<S>& pose_a, const Vec3<S>&
   const RelativeFrame<S> b_in_a = relative_frame(pose_a, pose_b);
   return {half_a, half_b, b_in_a.translation, b_in_a.rotation};
 }
-
-/// Preference of faces over edges, relative to the smaller shape: the normal of a face is chosen if the overlap along
-/// it exceeds the least depth by no more than this, and if its points are further apart than the nearest ones by no
-/// more than this. A resting box of size 1 leans by milliradians and sinks in by millimetres; the least depth then
-/// changes between faces and edges from frame to frame, and a solver needs the face. The decision whether shapes
-/// overlap is independent of it, and every point carries its true distance along the chosen normal.
-inline constexpr double face_preference = 1.0 / 200;
 
 /// Rounding of the separation of two boxes along an axis, relative to the largest coordinate: in double as on the
 /// general path, so that both agree on touching; in float the roundings of a relative pose and of a sum of six

@@ -21,7 +21,8 @@ template <class T>
   for (std::size_t first = 0; first < count; first += Pairs<T>::lanes) {
     const Pairs<T> bundle(pairs + first, count - first);
     TriangleDirections<Lanes<T>> directions;
-    const TriangleReferenceAxis<Lanes<T>> choice = triangle_choice(box_and_triangle(bundle), bundle.margin, directions);
+    const TriangleReferenceAxis<Lanes<T>> choice =
+        triangle_reference_axis(box_and_triangle(bundle), bundle.margin, directions);
     const Vec3<Lanes<T>>& n = choice.normal;
     for (std::size_t i = 0; i < bundle.count; ++i) {
       const int lane = static_cast<int>(i);
@@ -69,7 +70,7 @@ template <class T>
   const BoxAndTriangle<T> p(*static_cast<const BoxCore<T>*>(pair.a), *pair.pose_a,
                             *static_cast<const TriangleCore<T>*>(pair.b), *pair.pose_b);
   TriangleDirections<T> directions;
-  const TriangleReferenceAxis<T> choice = triangle_choice(p, pair.margin, directions);
+  const TriangleReferenceAxis<T> choice = triangle_reference_axis(p, pair.margin, directions);
   if (choice.distance > pair.margin)
     manifold.normal = p.turn * choice.normal;
   else

@@ -18,7 +18,7 @@ struct BoxTouchesTriangle {
                      const Pose<S>& pose_triangle) {
     TriangleDirections<S> directions;
     const S distance =
-        triangle_choice(BoxAndTriangle<S>(box, pose_box, triangle, pose_triangle), S(0), directions).distance;
+        triangle_reference_axis(BoxAndTriangle<S>(box, pose_box, triangle, pose_triangle), S(0), directions).distance;
     touch = !(distance > S(0));
     known = (distance > S(-std::numeric_limits<typename LaneOf<S>::type>::infinity())) & regular_box(box.half);
   }

@@ -180,9 +180,8 @@ BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d
 /// The reference axis for contacts up to `margin` apart. A face is preferred to an edge that is better by less than
 /// `face_preference`. The triangle's directions are found only where the box's own axes do not decide.
 template <class S>
-TriangleReferenceAxis<S> triangle_choice(const BoxAndTriangle<S>& p, const S& margin,
-                                         TriangleDirections<S>& directions) {
-  using std::abs;
+TriangleReferenceAxis<S> triangle_reference_axis(const BoxAndTriangle<S>& p, const S& margin,
+                                                 TriangleDirections<S>& directions) {
   using T = typename LaneOf<S>::type;
   const S infinity(std::numeric_limits<T>::infinity()), enough = margin + p.noise;
   const detail::BestAxis<S> of_box = detail::box_side_axes(p);
@@ -198,13 +197,9 @@ TriangleReferenceAxis<S> triangle_choice(const BoxAndTriangle<S>& p, const S& ma
   if (!all(by_face)) edge = detail::edge_axes(p, directions, face.separation);
   edge.separation = select(by_face, -infinity, edge.separation);
 
-  const S smaller = least(p.size_a, p.size_b);
-  const auto edge_best = edge.separation > face.separation + p.noise,
-             edge_chosen = edge.separation > face.separation + S(T(face_preference)) * smaller;
-  const S separation = select(edge_best, edge.separation, face.separation);
-  const S distance = select(abs(separation) <= p.noise, S(0), separation);
-  const auto outside = distance > margin;
-  const auto by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
+  const AxisChoice<S> choice = choose_axis(face.separation, edge.separation, p.noise, least(p.size_a, p.size_b));
+  const S distance = choice.distance(p.noise);
+  const auto by_edge = choice.by_edge(distance > margin);
   return {select(by_box | directions.regular, distance, -infinity), select(by_edge, edge.normal, face.normal)};
 }
 

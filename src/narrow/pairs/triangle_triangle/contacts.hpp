@@ -106,10 +106,10 @@ struct ContactNormal {
   Mask known;     ///< no edges run along each other
 };
 
-/// The normal of one of the two faces if it is about as good as that of the nearest points, else that one:
-/// `preferred_normal`.
+/// The normal of one of the two faces if it is about as good as that of the nearest points, else that one: as
+/// `preferred_normal` of the general path.
 template <class Row, class S>
-Vec3<S> normal_of_nearest(const MeetingTriangles<Row>& m, const ShownParts<S>& shown, const AnswerRounding& rounded) {
+Vec3<S> preferred_normal(const MeetingTriangles<Row>& m, const ShownParts<S>& shown, const AnswerRounding& rounded) {
   using Mask = decltype(S() < S());
   const TwoTriangles<Row>& p = m.p;
   const Vec3<S> of_a = select(shown.of[0].facing > S(0), p.a.normal, -p.a.normal),
@@ -118,17 +118,10 @@ Vec3<S> normal_of_nearest(const MeetingTriangles<Row>& m, const ShownParts<S>& s
     return part.whole & (max_abs(n - m.normal) <= S(rounded.normal));
   };
   const Mask same_a = same(shown.of[0], of_a), same_b = (!same_a) & same(shown.of[1], of_b);
-  S most = m.distance - S(face_preference) * m.axes.smaller;
-  Vec3<S> best = m.normal;
-  const auto consider = [&](const ShownPart<S>& part, const Vec3<S>& n) {
-    const S gap = p.gap_along(n);
-    const Mask better = part.whole & (gap >= most);
-    most = select(better, gap, most);
-    best = select(better, n, best);
-  };
+  PreferredNormal<S> preferred(m.distance, m.normal, m.axes.smaller);
   const Vec3<S> normals[2] = {of_a, of_b};
-  for (int i = 0; i < 2; ++i) consider(shown.of[i], normals[i]);
-  return select(same_a, of_a, select(same_b, of_b, best));
+  for (int i = 0; i < 2; ++i) preferred.consider(shown.of[i].whole, normals[i], p.gap_along(normals[i]));
+  return select(same_a, of_a, select(same_b, of_b, preferred.best));
 }
 
 /// The normal of the best axis where faces, or a face and an edge, meet along it at the least distance; else one by the
@@ -142,13 +135,11 @@ auto contact_normal(const MeetingTriangles<Row>& m, const AnswerRounding& rounde
                    fall_off_nearest = side_lean<double> * side_lean<double>;
   const S& noise = m.axes.noise;
   const TriangleAxis<S>&face = m.axes.face, &edge = m.axes.edge;
-  // A face is preferred to an edge that is better by less than `face_preference`.
-  const Mask edge_best = edge.separation > face.separation + noise,
-             edge_chosen = edge.separation > face.separation + S(face_preference) * m.axes.smaller,
-             best = (edge_best & edge_chosen) | (!(edge_best | edge_chosen));
-  const S separation = select(edge_best, edge.separation, face.separation);
+  const AxisChoice<S> choice = choose_axis(face.separation, edge.separation, noise, m.axes.smaller);
+  const Mask best = (choice.edge_best & choice.edge_chosen) | (!(choice.edge_best | choice.edge_chosen));
+  const S& separation = choice.separation;
   const Mask deep = separation <= noise, near = deep | (best & (m.distance <= separation + S(laid_slack) * noise));
-  const Vec3<S> axis = select(edge_chosen, edge.normal, face.normal);
+  const Vec3<S> axis = select(choice.edge_chosen, edge.normal, face.normal);
   const Vec3<S> normals[2] = {axis, m.normal};
   constexpr double falls[2] = {fall_off_axis, fall_off_nearest};
   ShownParts<S> along[2];
@@ -164,7 +155,7 @@ auto contact_normal(const MeetingTriangles<Row>& m, const AnswerRounding& rounde
   found.in_point = (!along_axis) & of_nearest.crossing;
   found.known = found.known & (!(found.in_point & of_nearest.parallel));
   found.normal =
-      select(along_axis, axis, select(of_nearest.crossing, m.normal, normal_of_nearest(m, of_nearest, rounded)));
+      select(along_axis, axis, select(of_nearest.crossing, m.normal, preferred_normal(m, of_nearest, rounded)));
   found.most_fall = select(along_axis, S(fall_off_axis), S(fall_off_nearest));
   return found;
 }

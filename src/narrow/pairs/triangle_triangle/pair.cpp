@@ -68,21 +68,18 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
     return d.distance;
   }
 
-  // A face is preferred to an edge that is better by less than `face_preference`.
   const TriangleAxis<double>&face = axes.face, &edge = axes.edge;
-  const bool edge_best = edge.separation > face.separation + axes.noise,
-             edge_chosen = edge.separation > face.separation + face_preference * axes.smaller;
-  const double separation = edge_best ? edge.separation : face.separation,
-               apart = separation - placed_a.radius - placed_b.radius;
+  const AxisChoice<double> choice = choose_axis(face.separation, edge.separation, axes.noise, axes.smaller);
+  const double separation = choice.separation, apart = separation - placed_a.radius - placed_b.radius;
   const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
   const Mat3d turn_b = rotation_matrix(b_in_a.rotation);
-  const Vec3d normal = unit(rotate(conjugate(frame.rotation), edge_chosen ? edge.normal : face.normal));
+  const Vec3d normal = unit(rotate(conjugate(frame.rotation), choice.edge_chosen ? edge.normal : face.normal));
   Vec3d points_b[3];
   for (std::size_t i = 0; i < 3; ++i) points_b[i] = turn_b * placed_b.core.point[i] + b_in_a.translation;
   const MeetingFaces faces{normal,
                            face_along(placed_a.core.point, normal),
                            face_along(points_b, -normal),
-                           edge_chosen == edge_best,
+                           choice.edge_chosen == choice.edge_best,
                            std::abs(apart) <= axes.noise ? 0 : apart,
                            separation > axes.noise,
                            axes.noise};
