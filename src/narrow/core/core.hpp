@@ -1,5 +1,22 @@
 // The simplest cores, shapes without their rounding: points, segments and boxes. Closed forms are written for these,
 // and so serve every shape that has such a core.
+//
+// Views of one convex shape; a routine takes the first one that gives it what it needs:
+//
+//   a closed form of a pair, alone or across lanes         Rounded<..Core, S>  core/core.hpp (`core_of`)
+//   distance of a point from a cylinder or cone            FrustumCore         core/point_frustum.hpp
+//   distance of tapered capsules                           BallHull            depth/ball_hulls.hpp
+//   depth of bodies of revolution on one axis              RevolvedCore        depth/coaxial_depth.hpp
+//   depth of sums of a box and an ellipsoid, by descent    SummedCore          core/minkowski.hpp
+//     the same with first and second derivatives           SumSide             depth/core_sum.hpp
+//   support points of cores with few corners, on lanes     ScannedShape        core/scanned_shape.hpp
+//   support points of any convex shape (GJK, EPA)          ShapeCore           core/minkowski.hpp
+//   faces and edges of few (separating axes), on lanes     FacetedShape        core/faceted_shape.hpp
+//   faces, edges and vertices of any flat-sided shape      Polyhedron          sat/polyhedron.hpp
+//   faces of any convex shape, and its rounded surface     Side                manifold/contact_side.hpp
+//
+// Rounded holds whichever scalar the routine computes in, ScannedShape and FacetedShape the shape's own; the others are
+// in double. A view that holds no numbers of its own refers to the shape, which must outlive it.
 #pragma once
 
 #include <type_traits>
