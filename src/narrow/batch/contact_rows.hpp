@@ -34,7 +34,6 @@ template <class T>
                                              std::uint32_t first, typename BatchContacts<T>::Pair* to) {
   using Entry = typename BatchContacts<T>::Pair;
   if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof(Entry) == 12 && offsetof(Entry, first_manifold) == 4 && offsetof(Entry, manifold_count) == 8);
     using Whole = Lanes<float>::BitVector;
     const Whole ones = lanes_with<float>(touching) & 1;
     const Whole overlapping = reinterpret_cast<Whole>(distance.v <= typename Lanes<T>::Vector{}) & ones;
@@ -60,13 +59,8 @@ template <class T>
 [[gnu::always_inline]] inline void put_points(const LaneContacts<T>& found, std::uint32_t touching,
                                               std::uint32_t first_point, typename BatchContacts<T>::Group* manifolds,
                                               ContactPoint<T>* points) {
-  using Group = typename BatchContacts<T>::Group;
-  using Point = ContactPoint<T>;
   const CoreDistance<Lanes<T>>& at = found.at;
   if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof(Group) == 28 && offsetof(Group, piece_a) == 12 && offsetof(Group, first_point) == 20);
-    static_assert(sizeof(Point) == 36 && offsetof(Point, b) == 12 && offsetof(Point, distance) == 24 &&
-                  offsetof(Point, feature) == 28 && offsetof(Point, weight) == 32);
     const Lanes<float> zero = as_lanes(0u), one = as_lanes(1u), feature = as_lanes(found.feature);
     const Lanes<float> number =
         as_lanes(ones_before<float>(lanes_with<float>(touching) & 1) + static_cast<std::int32_t>(first_point));

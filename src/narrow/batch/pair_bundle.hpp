@@ -3,6 +3,7 @@
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
 
+#include "narrow/batch/layouts.hpp"
 #include "narrow/batch/pair_kernels.hpp"
 #include "narrow/core/core.hpp"
 #include "simd/gather.hpp"
@@ -12,14 +13,12 @@ namespace graze::GRAZE_ISA {
 // The numbers of a shape, as its class holds them; `row(lane)` is the address of a lane's.
 template <class T, class Row>
 [[gnu::always_inline]] inline auto load(const Row& row, const Sphere<T>*) {
-  static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
   Lanes<T> n[4];
   gather<T>(row, 0, n);
   return Rounded<PointCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, n[3]};
 }
 template <class T, class Row>
 [[gnu::always_inline]] inline auto load(const Row& row, const Capsule<T>*) {
-  static_assert(sizeof(Capsule<T>) == 3 * sizeof(T));
   using S = Lanes<T>;
   S n[2];
   gather<T>(row, 0, n);
@@ -27,14 +26,12 @@ template <class T, class Row>
 }
 template <class T, class Row>
 [[gnu::always_inline]] inline auto load(const Row& row, const Box<T>*) {
-  static_assert(sizeof(Box<T>) == 3 * sizeof(T));
   Lanes<T> n[3];
   gather<T>(row, 0, n);
   return Rounded<BoxCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, Lanes<T>(0)};
 }
 template <class T, class Row>
 [[gnu::always_inline]] inline auto load(const Row& row, const Triangle<T>*) {
-  static_assert(sizeof(Triangle<T>) == 9 * sizeof(T));
   Lanes<T> n[4], m[4], last[1];
   gather<T>(row, 0, n);
   gather<T>(row, 4 * sizeof(T), m);
@@ -48,7 +45,6 @@ template <class T, class Row>
 }
 template <class T, class Row>
 [[gnu::always_inline]] inline Pose<Lanes<T>> load(const Row& row, const Pose<T>*) {
-  static_assert(sizeof(Pose<T>) == 7 * sizeof(T));
   Lanes<T> t[4], q[4];  // a row of four is loaded at once, a row of three is not
   gather<T>(row, 0, t);
   gather<T>(row, 3 * sizeof(T), q);

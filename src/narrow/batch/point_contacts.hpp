@@ -3,6 +3,7 @@
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
 
+#include "narrow/batch/layouts.hpp"
 #include "narrow/batch/pair_kernels.hpp"
 #include "narrow/batch/row_bundle.hpp"
 #include "narrow/pairs/sphere_capsule_contacts.hpp"
@@ -15,9 +16,6 @@ template <class T>
 [[gnu::always_inline]] inline void put_all(const CoreDistance<Lanes<T>>& d, const std::uint32_t* features,
                                            const Lanes<T>& weight, PointContact<T>* to) {
   if constexpr (sizeof(T) == 4) {
-    using Point = ContactPoint<T>;
-    static_assert(sizeof(PointContact<T>) == 48 && offsetof(Point, b) == 12 && offsetof(Point, distance) == 24 &&
-                  offsetof(Point, feature) == 28 && offsetof(Point, weight) == 32 && sizeof(Point) == 36);
     char* const rows = reinterpret_cast<char*>(to);
     Lanes<T> names;
     std::memcpy(&names.v, features, sizeof names.v);

@@ -5,6 +5,7 @@
 // namespace of the level.
 #pragma once
 
+#include "narrow/batch/layouts.hpp"
 #include "narrow/batch/pair_kernels.hpp"
 #include "narrow/manifold/features.hpp"
 #include "simd/rows.hpp"
@@ -80,7 +81,6 @@ template <class T, class Features>
                                             ContactPoint<T>* to) {
   const typename Lanes<T>::BitVector feature = features();
   if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof(ContactPoint<T>) == 36 && offsetof(ContactPoint<T>, feature) == 28);
     using V = Lanes<float>::Vector;
     const Lanes<float> names = Lanes<float>::of(reinterpret_cast<V>(feature)), half(0.5f);
 #if defined(__AVX512F__)
@@ -110,7 +110,6 @@ template <class T, class Features>
   Lanes<T> at[3];
   for (int k = 0; k < 3; ++k) at[k] = points.a[k] + (points.b[k] - points.a[k]) * middle;
   if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof *to == 16);
     scatter(at[0], at[1], at[2], points.distance, to, sizeof *to);
   } else {
     for (int i = 0; i < lanes_of<T>; ++i) to[i] = {{at[0][i], at[1][i], at[2][i]}, points.distance[i]};
@@ -131,7 +130,6 @@ template <class T>
   using Group = typename PointBlock<T>::Group;
   Group* to = block.manifolds + block.manifold_count;
   if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof(Group) == 28 && offsetof(Group, piece_a) == 12 && offsetof(Group, first_point) == 20);
     const Lanes<float> none = as_lanes(0u);
     const Lanes<float> rows[7] = {
         m.normal.x, m.normal.y, m.normal.z, none, none, as_lanes(m.first_point), as_lanes(m.point_count)};
@@ -154,7 +152,6 @@ template <class T>
   Group* to = block.manifolds + block.manifold_count;
   const std::uint32_t* const pairs = block.pairs + first;
   if constexpr (sizeof(T) == 4) {
-    static_assert(sizeof(Group) == 24 && offsetof(Group, pair) == 12 && offsetof(Group, first_point) == 16);
     Lanes<float>::BitVector numbers;
     std::memcpy(&numbers, pairs, sizeof numbers);
     const Lanes<float> rows[6] = {

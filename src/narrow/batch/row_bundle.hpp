@@ -3,6 +3,7 @@
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
 
+#include "narrow/batch/layouts.hpp"
 #include "narrow/batch/pair_kernels.hpp"
 #include "narrow/core/core.hpp"
 #include "narrow/pairs/box_box/reference_axis.hpp"
@@ -26,7 +27,6 @@ template <class S>
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Sphere<T>*) {
   using S = Lanes<T>;
-  static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
   S n[4];
   load_rows<4, 0, T>(from, n);
   return RowShapes<PointCore<S>, S>{{{{n[0], n[1], n[2]}}, n[3]}, everywhere<S>()};
@@ -34,7 +34,6 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Capsule<T>*) {
   using S = Lanes<T>;
-  static_assert(sizeof(Capsule<T>) == 3 * sizeof(T));
   S n[3];
   load_rows<3, 0, T>(from, n);
   return RowShapes<AxisCore<S>, S>{{{n[0]}, n[1]}, (n[0] > S(0)) & (n[1] == n[2])};
@@ -42,7 +41,6 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Box<T>*) {
   using S = Lanes<T>;
-  static_assert(sizeof(Box<T>) == 3 * sizeof(T));
   S n[3];
   load_rows<3, 0, T>(from, n);
   const Vec3<S> half{n[0], n[1], n[2]};
@@ -52,7 +50,6 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Rectangle<T>*) {
   using S = Lanes<T>;
-  static_assert(sizeof(Rectangle<T>) == 3 * sizeof(T));
   S n[3];
   load_rows<3, 0, T>(from, n);
   return RowShapes<BoxCore<S>, S>{{{{n[0], n[1], n[2]}}, S(0)}, regular_rectangle(n[0], n[2])};
@@ -60,7 +57,6 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Triangle<T>*) {
   using S = Lanes<T>;
-  static_assert(sizeof(Triangle<T>) == 9 * sizeof(T));
   S n[4], m[4], last[1];
   load_rows<9, 0, T>(from, n);
   load_rows<9, 4, T>(from, m);
@@ -87,7 +83,6 @@ template <class S>
 /// The lanes' poses, without rotations where these have no influence.
 template <class T>
 [[gnu::always_inline]] inline Pose<Lanes<T>> load_rows(const Pose<T>* from, bool unturned) {
-  static_assert(sizeof(Pose<T>) == 7 * sizeof(T));
   Lanes<T> t[3], q[4];
   load_rows<7, 0, T>(from, t);
   Pose<Lanes<T>> poses;

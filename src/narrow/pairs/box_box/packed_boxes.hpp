@@ -6,6 +6,7 @@
 
 #include "graze/mat3.hpp"
 #include "graze/pose.hpp"
+#include "narrow/batch/layouts.hpp"
 #include "simd/packed.hpp"
 
 namespace graze {
@@ -68,7 +69,6 @@ struct PoseRows {
   explicit PoseRows(const Pose<S>& pose) {
     if constexpr (Row::joined) {
       // One load each, which reads beyond its numbers; the last number of the rotation is the pose's last.
-      static_assert(sizeof(Pose<S>) == 7 * sizeof(S));
       const S* const numbers = reinterpret_cast<const S*>(&pose);
       const Packed<S, 4> rotation = Packed<S, 4>::load(numbers + 3);
       translation = Row::load(numbers);

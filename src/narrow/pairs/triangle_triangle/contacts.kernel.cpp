@@ -1,4 +1,5 @@
 // The points of contact of pairs of triangles, a register of them at a time in double, or one.
+#include "narrow/batch/layouts.hpp"
 #include "narrow/batch/point_rows.hpp"
 #include "narrow/pairs/triangle_triangle/triangle_lanes.hpp"
 
@@ -25,7 +26,6 @@ template <class T>
   const auto row = [&](std::size_t lane) __attribute__((always_inline))->const void* {
     return &found[lane < count ? lane : count - 1].at;
   };
-  static_assert(sizeof(Vec3<double>) == 3 * sizeof(double) && offsetof(Distance<double>, a) == 4 * sizeof(double));
   S n[4], a[3];
   gather<double>(row, 0, n);
   gather<double>(row, offsetof(Distance<double>, a), a);
