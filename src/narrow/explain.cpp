@@ -112,7 +112,8 @@ void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
     if (!trace.reason.empty()) reason += "; " + trace.reason;
     trace.reason = reason;
     if (trace.winner.empty()) trace.winner = pair.name(best);
-    trace.axes = pair.intervals();
+    for (const auto& [axis, a_lower, a_upper, b_lower, b_upper] : pair.intervals())
+      trace.axes.push_back({pair.name(axis), axis.normal, a_lower, a_upper, b_lower, b_upper});
     move(trace.axes, frame_a);
   } else if (box_a && segment_b) {
     trace_segment_box(box_a->half, moved(*segment_b, relative(frame_a, frame_b)), "A", "B", trace);

@@ -23,6 +23,22 @@ bool stands_on(const FaceContacts& faces, const Manifold<T>& answer, const Posed
   });
 }
 
+/// Keeps all cuts, moved from the frame of the pair to the world.
+class CutRecorder final : public CutObserver {
+ public:
+  explicit CutRecorder(const Posed& frame) : frame_(frame) {}
+
+  void cut(const Vec3d& from, const Vec3d& to, std::span<const Vec3d> left) override {
+    TraceCut& cut = cuts.emplace_back(TraceCut{transform(frame_, from), transform(frame_, to), {}});
+    for (const Vec3d& point : left) cut.left.push_back(transform(frame_, point));
+  }
+
+  std::vector<TraceCut> cuts;
+
+ private:
+  Posed frame_;
+};
+
 }  // namespace
 
 template <class T>
@@ -35,16 +51,13 @@ void explain_faces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   const PlacedFace face_a = side_a.face(normal, true), face_b = side_b.face(-normal, true);
   const double smaller = least(side_a.size(), side_b.size());
   FaceContacts laid;
-  std::vector<TraceCut> cuts;
-  clip_faces(face_a, face_b, normal, normal_rounding<T> * (side_a.radius() + side_b.radius() + smaller), laid, &cuts);
+  CutRecorder recorder(frame);
+  clip_faces(face_a, face_b, normal, normal_rounding<T> * (side_a.radius() + side_b.radius() + smaller), laid,
+             &recorder);
   if (!stands_on(laid, answer, frame, normal, smaller)) return;
 
   const auto world = [&](Vec3d& point) { point = transform(frame, point); };
-  for (TraceCut& cut : cuts) {
-    world(cut.from), world(cut.to);
-    std::for_each(cut.left.begin(), cut.left.end(), world);
-  }
-  trace.cuts = std::move(cuts);
+  trace.cuts = std::move(recorder.cuts);
   trace.face_a.assign(face_a.vertices.begin(), face_a.vertices.end());
   trace.face_b.assign(face_b.vertices.begin(), face_b.vertices.end());
   std::for_each(trace.face_a.begin(), trace.face_a.end(), world);

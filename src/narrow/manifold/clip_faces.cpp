@@ -168,13 +168,13 @@ void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, 
   to < 1 ? add(point_of_a(to), b[high]) : add(a[1], point_of_b(a[1]));
 }
 
-/// A cut along side `i` of the cutting face, for a trace.
-TraceCut told_cut(const FlatFace& clip, std::size_t i, const FlatFace& subject, const Outline& left,
-                  const Basis& basis) {
+/// Shows a cut along side `i` of the cutting face.
+void show_cut(const FlatFace& clip, std::size_t i, const FlatFace& subject, const Outline& left, const Basis& basis,
+              CutObserver& observer) {
   const auto on = [&](const FlatFace& face, const Flat& p) { return basis.point(p, face.height(p)); };
-  TraceCut told{on(clip, clip[i]), on(clip, clip[i + 1 == clip.size() ? 0 : i + 1]), {}};
-  for (const Flat& p : left) told.left.push_back(on(subject, p));
-  return told;
+  std::vector<Vec3d> remainder;
+  for (const Flat& p : left) remainder.push_back(on(subject, p));
+  observer.cut(on(clip, clip[i]), on(clip, clip[i + 1 == clip.size() ? 0 : i + 1]), remainder);
 }
 
 double nearness(const FlatFace& a, const FlatFace& b) {
@@ -208,7 +208,7 @@ std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFac
 }
 
 void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts,
-                std::vector<TraceCut>* cuts) {
+                CutObserver* observer) {
   if (a.vertices.size() < 2 || b.vertices.size() < 2) return;
   const Vec3d u = any_perpendicular(normal);
   const Basis basis{u, cross(normal, u), normal};
@@ -223,7 +223,7 @@ void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, d
   for (std::size_t i = 0; i < subject.size(); ++i) one.push_back(subject[i]);
   for (std::size_t i = 0; i < clip.size() && !now->empty(); ++i) {
     if (cut(*now, clip.edge(i), subject.size() > 2, along_rim * near + beside, *next)) std::swap(now, next);
-    if (cuts) cuts->push_back(told_cut(clip, i, subject, *now, basis));
+    if (observer) show_cut(clip, i, subject, *now, basis, *observer);
   }
   Outline& outline = *now;
   simplify(outline, near, [&](const Flat& p) { return fb.height(p) - fa.height(p); });

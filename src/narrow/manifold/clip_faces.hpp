@@ -4,9 +4,10 @@
 // the points span the whole area in which the faces overlap.
 #pragma once
 
+#include <span>
+
 #include "graze/contact.hpp"
 #include "graze/shape/face.hpp"
-#include "graze/trace.hpp"
 #include "narrow/core/minkowski.hpp"
 #include "narrow/manifold/features.hpp"
 
@@ -28,6 +29,14 @@ struct FaceContact {
 
 using FaceContacts = SmallVector<FaceContact, 16>;
 
+/// Receives the cuts of a clip, in the frame of the pair, without an influence on them.
+class CutObserver {
+ public:
+  virtual ~CutObserver() = default;
+  /// A cut along the edge from `from` to `to` of the cutting face, and what is left of the other one.
+  virtual void cut(const Vec3d& from, const Vec3d& to, std::span<const Vec3d> left) = 0;
+};
+
 /// The outward unit normal of a polygon, by Newell's method; zero for anything less than a polygon with an area.
 Vec3d polygon_normal(const PlacedFace& face);
 
@@ -35,9 +44,9 @@ Vec3d polygon_normal(const PlacedFace& face);
 /// intersection: vertices of one inside the other, and crossings of edges; for two edges that are about parallel, the
 /// ends of the stretch along which they overlap, wherever they lie. Nothing when they cross in a point or do not meet:
 /// the closest points serve better then. An edge along a rim may lie beside the face by `beside`, the effect of the
-/// normal's rounding on its projection. All cuts are appended to `cuts`, unless null.
+/// normal's rounding on its projection. `observer` may be null.
 void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts,
-                std::vector<TraceCut>* cuts = nullptr);
+                CutObserver* observer = nullptr);
 
 /// The number of the features of A and B that a pair of points lies on, as in `clip_faces`. Takes faces of any kind.
 std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFace& b, const Vec3d& on_b,

@@ -54,14 +54,14 @@ std::string box_axis_name(const SeparatingAxis& axis) {
   return axis.kind == AxisKind::face_a ? numbered("A", axis.a) : numbered("B", axis.b);
 }
 
-std::vector<TraceAxis> box_intervals(const BoxPair<double>& p) {
-  std::vector<TraceAxis> axes;
+std::vector<AxisIntervals> box_intervals(const BoxPair<double>& p) {
+  std::vector<AxisIntervals> axes;
   const auto add = [&](AxisKind kind, std::size_t a, std::size_t b, const Vec3d& direction) {
     const double middle = dot(p.translation, direction);
     const Vec3d n = middle < 0 ? -direction : direction;
     const double reach_a = dot(abs(n), p.half_a), reach_b = dot(abs(transposed_times(p.rotation, n)), p.half_b);
-    axes.push_back({box_axis_name({kind, 0, n, a, b}), n, -reach_a, reach_a, std::abs(middle) - reach_b,
-                    std::abs(middle) + reach_b});
+    const double distance = std::abs(middle), separation = distance - reach_b - reach_a;
+    axes.push_back({{kind, separation, n, a, b}, -reach_a, reach_a, distance - reach_b, distance + reach_b});
   };
   for (std::size_t i = 0; i < 3; ++i) add(AxisKind::face_a, i, i, detail::unit_axis<double>(i));
   for (std::size_t j = 0; j < 3; ++j) add(AxisKind::face_b, j, j, p.rotation.column(j));
@@ -77,12 +77,12 @@ std::vector<TraceAxis> box_intervals(const BoxPair<double>& p) {
   return axes;
 }
 
-std::vector<TraceAxis> polyhedra_intervals(const Polyhedron& a, const Polyhedron& b) {
-  std::vector<TraceAxis> axes;
+std::vector<AxisIntervals> polyhedra_intervals(const Polyhedron& a, const Polyhedron& b) {
+  std::vector<AxisIntervals> axes;
   for (const SeparatingAxis& axis : all_separating_axes(a, b)) {
     const Vec3d& n = axis.normal;
-    axes.push_back({axis_name(axis), n, lowest(a.vertices(), n), -lowest(a.vertices(), -n), lowest(b.vertices(), n),
-                    -lowest(b.vertices(), -n)});
+    axes.push_back(
+        {axis, lowest(a.vertices(), n), -lowest(a.vertices(), -n), lowest(b.vertices(), n), -lowest(b.vertices(), -n)});
   }
   return axes;
 }
@@ -162,7 +162,7 @@ SeparatingAxes PolyhedralPair<T>::all_axes() const {
 }
 
 template <class T>
-std::vector<TraceAxis> PolyhedralPair<T>::intervals() const {
+std::vector<AxisIntervals> PolyhedralPair<T>::intervals() const {
   if (boxes_) return box_intervals(*boxes_);
   Polyhedron a, b;
   set_polyhedra(a, b);

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "graze/trace.hpp"
 #include "narrow/core/faceted_shape.hpp"
 #include "narrow/general.hpp"
 #include "narrow/manifold/contact_side.hpp"
@@ -16,6 +15,12 @@
 #include "narrow/sat/separating_axes.hpp"
 
 namespace graze {
+
+/// An axis, and the intervals that two cores take on it.
+struct AxisIntervals {
+  SeparatingAxis axis;
+  double a_lower, a_upper, b_lower, b_upper;
+};
 
 /// Whether separating axes are used for these two shapes: both are flat-sided, with so few edges that trying their
 /// products costs no more than EPA.
@@ -42,7 +47,7 @@ class PolyhedralPair {
   /// All axes, whichever way the depth is found.
   SeparatingAxes all_axes() const;
   /// Every axis with the intervals of both cores on it, in the frame of A, for an explanation.
-  std::vector<TraceAxis> intervals() const;
+  std::vector<AxisIntervals> intervals() const;
   std::string name(const SeparatingAxis& axis) const;
   /// The face of A that meets B along `normal` (from A to B), and that of B; each takes its shape's side.
   PlacedFace face_a(const Side<T>& side, const Vec3d& normal) const;
