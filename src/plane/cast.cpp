@@ -150,8 +150,8 @@ straight_cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velo
 
 /// Fills the trace with what a cast did about the pair of pieces numbered `number`, from which its answer came.
 template <class T>
-void explain_cast(const MovingPair<T>& moving, std::size_t number, double duration, const CastOptions& options,
-                  Trace& trace) {
+[[gnu::noinline]] void explain_cast(const MovingPair<T>& moving, std::size_t number, double duration,
+                                    const CastOptions& options, Trace& trace) {
   std::size_t i = 0;
   moving.for_each([&](const LeafPair<T>& pair) {
     if (i++ != number) return;
@@ -242,15 +242,16 @@ std::optional<RayHit<T>> first_hit(const Shape<T>& shape, const Pose2<T>& pose, 
   return best;
 }
 
+/// Fills the trace with what the first hit of a ray is found from: the piece that is hit, or else the first one.
 template <class T>
-std::optional<RayHit<T>> explained_raycast(const Shape<T>& shape, const Pose2<T>& pose, const WorldRay<T>& world,
-                                           double length_of_ray, Trace& trace) {
+void explain_raycast(const Shape<T>& shape, const Pose2<T>& pose, const WorldRay<T>& world, double length_of_ray,
+                     Trace& trace) {
   struct Met {
     Core<T> core;
     Pose2d pose;
     double extent;
   };
-  std::optional<Met> met;  // the piece that is hit, or else the first
+  std::optional<Met> met;
   std::size_t pieces = 0;
   double until = length_of_ray;
   const auto best =
@@ -266,14 +267,22 @@ std::optional<RayHit<T>> explained_raycast(const Shape<T>& shape, const Pose2<T>
     trace.method = "bounds", trace.reason = "the ray passes by the bounds of all pieces";
   }
   trace.pieces = pieces > 1 ? pieces : 0;
-  return best;
+}
+
+/// The answer of a raycast, and then its explanation.
+template <class T>
+[[gnu::noinline]] std::optional<RayHit<T>> explained_raycast(const Shape<T>& shape, const Pose2<T>& pose,
+                                                             const Ray<T>& ray, T length_of_ray, Trace& trace) {
+  const auto hit = raycast(shape, pose, ray, length_of_ray);
+  const WorldRay<T> world(ray, length_of_ray);
+  if (world.valid) explain_raycast(shape, pose, world, double(length_of_ray), trace);
+  return hit;
 }
 
 /// A ray at any shape, in a function of its own: rays at a shape with a sure hit do not pay for its set-up.
 template <class T>
 [[gnu::noinline]] std::optional<RayHit<T>> any_raycast(const Shape<T>& shape, const Pose2<T>& pose,
-                                                       const WorldRay<T>& world, double until, Trace* trace) {
-  if (trace) return explained_raycast(shape, pose, world, until, *trace);
+                                                       const WorldRay<T>& world, double until) {
   return first_hit(shape, pose, world, until, [](const Core<T>&, const Pose2d&, double, bool) {});
 }
 
@@ -289,20 +298,21 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const 
                                const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration,
                                const CastOptions& options, Trace* trace) {
   std::optional<CastHit<T>> best;
-  if (!trace && options.separating == Separating::hit &&
-      straight_cast(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, best))
-    return best;
+  const bool straight = options.separating == Separating::hit &&
+                        straight_cast(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, best);
+  if (straight && !trace) return best;
   const MovingPair<T> moving(a, pose_a, velocity_a, b, pose_b, velocity_b);
   auto until = double(duration);
   std::size_t number = 0, first = 0;
-  moving.for_each([&](const LeafPair<T>& pair) {
-    const std::size_t own = number++;
-    const auto hit = moving.contact(pair, until, double(duration), options);
-    if (!hit || (best && hit->t == until && !(hit->depth > double(best->depth)))) return;
-    until = hit->t;
-    best = moving.hit(*hit, pair);
-    first = own;
-  });
+  if (!straight)
+    moving.for_each([&](const LeafPair<T>& pair) {
+      const std::size_t own = number++;
+      const auto hit = moving.contact(pair, until, double(duration), options);
+      if (!hit || (best && hit->t == until && !(hit->depth > double(best->depth)))) return;
+      until = hit->t;
+      best = moving.hit(*hit, pair);
+      first = own;
+    });
   if (trace) explain_cast(moving, first, double(duration), options, *trace);
   return best;
 }
@@ -326,13 +336,14 @@ void cast_all(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velo
 template <class T>
 std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray, T length_of_ray,
                                  Trace* trace) {
+  if (trace) return explained_raycast(shape, pose, ray, length_of_ray, *trace);
   const WorldRay<T> world(ray, length_of_ray);
   if (!world.valid) return {};
   const auto until = double(length_of_ray);
   const Pose2d at = at_unit(pose);
   const SureHit sure =
       sure_hit(shape, inverse_transform(at, world.origin), inverse_rotate(at.rotation, world.direction));
-  if (!sure.known || trace) return any_raycast(shape, pose, world, until, trace);
+  if (!sure.known) return any_raycast(shape, pose, world, until);
   if (!(sure.t <= until) || sure.t == never) return {};
   return world.seen(at, sure.t, sure.normal, 0, Status::converged);
 }
