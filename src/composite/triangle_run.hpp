@@ -55,12 +55,19 @@ struct TriangleRun {
   }
 };
 
+/// Whether a shape's kind stands before triangles in the list of shapes.
+template <class T>
+bool stands_before_triangles(const Shape<T>& shape) {
+  return shape.index() < detail::kind_of<Triangle<T>, T>();
+}
+
 /// The concrete shape, if there are kernels for its contacts with triangles, else null. Only of kinds that stand before
-/// triangles in the list of shapes: the body is the first of each pair then, whichever of the two the surface is.
+/// triangles: the body is the first of each pair then, whichever of the two the surface is.
 template <class T>
 const void* concrete_for_runs(const Shape<T>& shape) {
   constexpr std::size_t triangle = detail::kind_of<Triangle<T>, T>();
-  if (shape.index() >= triangle || !with_contact_lanes(lane_table<T>(shape.index(), triangle).pair)) return nullptr;
+  if (!stands_before_triangles(shape) || !with_contact_lanes(lane_table<T>(shape.index(), triangle).pair))
+    return nullptr;
   return concrete_for_lanes(shape);
 }
 

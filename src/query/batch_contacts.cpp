@@ -41,7 +41,7 @@ class Writer {
     for (std::size_t k = 0; k < count; ++k) {
       const PointContact<T>& contact = contacts[k];
       const bool touches = meetings[k] == Meeting::touching, overlap = contact.point.distance <= T(0);
-      others += meetings[k] >= Meeting::unknown;
+      others += is_elsewhere(meetings[k]);
       pairs[place(k)] = {static_cast<bool>(touches & overlap), first_manifold + touching, touches};
       manifolds[touching] = {contact.normal, 0, 0, first_point + touching, 1};
       points[touching] = contact.point;

@@ -82,8 +82,7 @@ class Portals {
     }
     const Kind &first = kinds[kind_a], &second = kinds[kind_b];
     if (first.vertices || second.vertices) return add_hulls(i, first, second);
-    // Sums come first.
-    if (first.side <= second.side)
+    if (in_portal_order(first.side, second.side))
       put(first, a, p.a, second, b, p.b, i);
     else
       put(second, b, p.b, first, a, p.a, i);

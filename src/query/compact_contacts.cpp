@@ -40,7 +40,7 @@ class CompactWriter : public BlockRoom<T> {
     std::size_t others = 0;
     for (std::size_t k = 0; k < count; ++k) {
       put_one(place(k), contacts[k].normal, contacts[k].point, meetings[k] == Meeting::touching);
-      others += meetings[k] >= Meeting::unknown;
+      others += is_elsewhere(meetings[k]);
     }
     return others;
   }

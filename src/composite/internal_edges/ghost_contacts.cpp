@@ -23,7 +23,7 @@ Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const L
 }
 
 /// Whether a triangle can have nothing over it: it pushes to its front, and around it are only those of its own mesh.
-/// To its back pushes the wall of a closed mesh that is met from inside, below the top.
+/// A triangle that pushes to its back is the wall of a closed mesh that is met from inside, below the top.
 template <class T>
 bool lies_open(const LeafInContext<T>& self, const Vec3<T>& outward) {
   const auto* triangle = self.piece.template as<Triangle<T>>();

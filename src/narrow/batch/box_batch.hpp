@@ -9,7 +9,7 @@
 
 #include "narrow/batch/pair_kernels.hpp"
 #include "narrow/manifold/features.hpp"
-#include "narrow/pairs/box_triangle/clip_faces.hpp"
+#include "narrow/pairs/box_triangle/clip_over_box.hpp"
 
 namespace graze {
 

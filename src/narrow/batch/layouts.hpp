@@ -1,5 +1,5 @@
-// The layouts in memory on which kernels rely: they load shapes and poses as rows of numbers and write answers column by
-// column. A change of one of these classes that breaks a kernel does not compile, and says here what it broke.
+// The layouts in memory on which kernels rely: they load shapes and poses as rows of numbers and write answers column
+// by column. A change of one of these classes that breaks a kernel does not compile, and says here what it broke.
 #pragma once
 
 #include <cstddef>

@@ -46,7 +46,7 @@ void visit_one_contacts(OneContactKernel<T> kernel, const std::uint32_t* feature
     for (std::size_t k = 0; turned && k < count; ++k) contacts.records[k] = mirrored(contacts.records[k]);
     std::size_t others = sink.one_each(contacts.records, meetings, count);
     for (std::size_t i = 0; others > 0; ++i) {
-      if (meetings[i] < Meeting::unknown) continue;
+      if (!is_elsewhere(meetings[i])) continue;
       --others;
       visit_other(i);
     }

@@ -60,7 +60,7 @@ struct BoxReferenceAxis;  // pairs/box_box/reference_axis.hpp
 template <class S>
 struct TriangleReferenceAxis;  // pairs/box_triangle/sat.hpp
 template <class S>
-struct ContactSlots;  // pairs/box_box/clip_faces.hpp
+struct ContactSlots;  // pairs/box_box/clip_box_faces.hpp
 template <class S>
 struct PlacedTriangle;  // pairs/triangle_triangle/distance.hpp
 template <class S>
@@ -125,6 +125,9 @@ struct PointContact {
 /// The kind of a pair's meeting, needed before its contact is read; `lying`: the contact is the next in a list of
 /// `SegmentContact`.
 enum class Meeting : std::uint8_t { apart, touching, unknown, lying };
+/// Whether the answer is not in the pair's own place: it is unknown, or a `SegmentContact`.
+constexpr bool is_elsewhere(Meeting meeting) { return meeting >= Meeting::unknown; }
+static_assert(is_elsewhere(Meeting::lying) && !is_elsewhere(Meeting::apart) && !is_elsewhere(Meeting::touching));
 
 /// The points of contact of up to `block_pairs` bodies on half-spaces; see `Rest`.
 template <class T>
@@ -166,8 +169,8 @@ GRAZE_DECLARE_KERNEL(
     template <class T> void box_compact_points(const MetBoxes<T>& met, std::size_t count, CompactBlock<T>& block);
     /// The axes of pairs of a box and a triangle, and the points of up to `block_pairs` along them.
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleReferenceAxis<T>* axes);
-    template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleReferenceAxis<T>* axes, std::size_t count,
-                                            PointBlock<T>& points);
+    template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleReferenceAxis<T>* axes,
+                                            std::size_t count, PointBlock<T>& points);
     /// Axis and points of one pair, given as its cores. Returns the distance; where that exceeds the margin, only the
     /// normal of the manifold is set.
     template <class T> T triangle_contact(const PairRef<T>& pair, ContactSlots<T>& manifold);
@@ -183,16 +186,17 @@ GRAZE_DECLARE_KERNEL(
     /// The contacts of `sphere_capsule_contacts` for pairs in rows, of any capsules and boxes. `turned`: A is the
     /// caller's second shape. `bundled(count)` rows are read, and there must be capacity for as many manifolds and
     /// points.
-    template <class A, class B, class T> void sphere_capsule_row_contacts(const PairRows<T>& rows, std::size_t count, T margin,
-                                                                 bool turned, const ContactRows<T>& to,
-                                                                 RowCounts& found);
+    template <class A, class B, class T> void sphere_capsule_row_contacts(const PairRows<T>& rows, std::size_t count,
+                                                                          T margin, bool turned,
+                                                                          const ContactRows<T>& to, RowCounts& found);
     /// The contacts of capsules with boxes, in the form of `sphere_capsule_contacts`.
     template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
                                                  PointContact<T>* contacts, Meeting* meetings,
                                                  SegmentContact<T>* sides);
     /// The points of up to `block_pairs` balls, untapered capsules with a length, boxes or triangles on half-spaces,
     /// all without rounding.
-    template <class A, class T> void half_space_slots(const PairRef<T>* pairs, std::size_t count, HalfSpaceBlock<T>& points);
+    template <class A, class T> void half_space_slots(const PairRef<T>* pairs, std::size_t count,
+                                                      HalfSpaceBlock<T>& points);
     /// The distances of pairs in rows: those that `is_sphere_capsule_pair` names, and balls, capsules, boxes and
     /// triangles with half-spaces. `turned`: A is the caller's second shape. `bundled(count)` rows are read. Returns
     /// the number of pairs without an answer, whose indices are written to `unknown`.
@@ -217,14 +221,13 @@ GRAZE_DECLARE_KERNEL(
     template <class A, class T> void sphere_capsule_triangle_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings,
                                                              SegmentContact<T>* sides);
-    template <class A, class T> void sphere_capsule_triangle_row_contacts(const PairRows<T>& rows, std::size_t count, T margin,
-                                                                 bool turned, const ContactRows<T>& to,
-                                                                 RowCounts& found);
-    template <class A, class T> std::uint32_t sphere_capsule_triangle_row_distances(const PairRows<T>& rows, std::size_t count,
-                                                                           bool turned, Distance<T>* distances,
-                                                                           std::uint8_t* unknown);
-    template <class A, class T> std::uint32_t sphere_capsule_triangle_row_overlaps(const PairRows<T>& rows, std::size_t count,
-                                                                          std::uint8_t* touch, std::uint8_t* unknown);
+    template <class A, class T> void sphere_capsule_triangle_row_contacts(const PairRows<T>& rows, std::size_t count,
+                                                                          T margin, bool turned,
+                                                                          const ContactRows<T>& to, RowCounts& found);
+    template <class A, class T> std::uint32_t sphere_capsule_triangle_row_distances(
+        const PairRows<T>& rows, std::size_t count, bool turned, Distance<T>* distances, std::uint8_t* unknown);
+    template <class A, class T> std::uint32_t sphere_capsule_triangle_row_overlaps(
+        const PairRows<T>& rows, std::size_t count, std::uint8_t* touch, std::uint8_t* unknown);
     /// The distances of triangles, in double.
     template <class T> std::uint32_t triangle_row_distances(const PairRows<T>& rows, std::size_t count, bool turned,
                                                             Distance<T>* distances, std::uint8_t* unknown);

@@ -31,6 +31,12 @@ template <class T>
   }
 }
 
+/// The filled lanes whose pairs lie, a bit each, of meetings as numbers: no other has a greater one.
+template <class T>
+[[gnu::always_inline]] inline std::uint32_t lying_lanes(const Lanes<T>& meeting, std::size_t filled) {
+  return Chosen<T>::not_less(meeting, Lanes<T>(static_cast<T>(Meeting::lying))).bits() & filled_lanes<T>(filled);
+}
+
 /// Writes a bundle of pairs of A and B, and how they meet within the margins, which is returned, too.
 template <class A, class B, class T>
 [[gnu::always_inline]] inline Lanes<T> put_all(const RoundContact<Lanes<T>>& c, const Lanes<T>& margin,
@@ -38,9 +44,10 @@ template <class A, class B, class T>
   using S = Lanes<T>;
   using Whole = typename S::BitVector;
   constexpr bool balls = std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>;
-  S touching = select(c.known == S(0), S(3), S(1));
-  if constexpr (std::is_same_v<B, Triangle<T>>) touching = select(c.known < S(0), S(2), touching);
-  const S meeting = select(c.at.distance <= margin, touching, S(0));
+  const auto is = [](Meeting one) { return S(static_cast<T>(one)); };
+  S touching = select(c.known == S(0), is(Meeting::lying), is(Meeting::touching));
+  if constexpr (std::is_same_v<B, Triangle<T>>) touching = select(c.known < S(0), is(Meeting::unknown), touching);
+  const S meeting = select(c.at.distance <= margin, touching, is(Meeting::apart));
   put_bytes<T>(__builtin_convertvector(meeting.v, Whole), lanes_of<T>, reinterpret_cast<std::uint8_t*>(meetings));
   const Whole place = __builtin_convertvector(feature_place(c.part_a, c.part_b).v, Whole);
   std::uint32_t features[lanes_of<T>];

@@ -13,7 +13,7 @@
 
 namespace graze {
 
-/// For a solid of revolution about Y whose profile is a trapezoid: the least distance to its three lines.
+/// The least distance to the three lines of the profile, which is a trapezoid that turns about Y.
 template <class T>
 double inside_core(const Cylinder<T>& c, const Vec3d& point) {
   const auto half = static_cast<double>(c.half_height()), bottom = static_cast<double>(c.radius_bottom()),
@@ -25,7 +25,7 @@ double inside_core(const Cylinder<T>& c, const Vec3d& point) {
   const double side = ((bottom - across) * height - (point.y + half) * taper) / slant;
   return least(half - std::abs(point.y), side);
 }
-/// For a tapered capsule, which is a ball and a point, and the cone between them (as of two balls).
+/// The depth in the core of a tapered capsule: a ball and a point, and the cone between them (as of two balls).
 template <class T>
 double inside_core(const Capsule<T>& c, const Vec3d& point) {
   const auto half = static_cast<double>(c.half_height()), core = static_cast<double>(c.core_radius());

@@ -14,7 +14,7 @@
 
 namespace graze {
 
-struct DirectDepth {
+struct NewtonDepth {
   Vec3d normal;  ///< unit, from A to B
   double depth;  ///< along the normal; negative when the cores are apart by at least as much
   Vec3d a, b;    ///< the deepest points, if the depth is not negative
@@ -25,7 +25,7 @@ struct DirectDepth {
 GRAZE_DECLARE_KERNEL(
     /// `b_in_a` is B's pose in A's frame. Ends early where the cores are more than `limit` apart, which may be
     /// infinite.
-    std::optional<DirectDepth> newton_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a,
+    std::optional<NewtonDepth> newton_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a,
                                             double limit);)
 // clang-format on
 

@@ -54,10 +54,10 @@ class Descent {
     size_ = greatest(max_abs(a.half) + max_abs(a.radii), max_abs(b.half) + max_abs(b.radii));
   }
 
-  std::optional<DirectDepth> run(double limit) {
+  std::optional<NewtonDepth> run(double limit) {
     least_seen_ = start(limit);
-    if (least_seen_ < -limit) return DirectDepth{n_, least_seen_, {}, {}, least_seen_};
-    std::optional<DirectDepth> found;
+    if (least_seen_ < -limit) return NewtonDepth{n_, least_seen_, {}, {}, least_seen_};
+    std::optional<NewtonDepth> found;
     for (int i = 0; i < descents; ++i) {
       doubtful_ = {};
       found = descend(limit);
@@ -74,7 +74,7 @@ class Descent {
   static constexpr int none = -1;
 
   /// Descends to a least overlap, or to one that separates by more than `limit`.
-  std::optional<DirectDepth> descend(double limit) {
+  std::optional<NewtonDepth> descend(double limit) {
     take_ends();
     evaluate();
     for (int i = 0; i < descent_steps; ++i) {
@@ -91,7 +91,7 @@ class Descent {
       evaluate();
       if (depth_ < -limit) {
         const double measured = overlap_along(n_);
-        if (measured < -limit) return DirectDepth{n_, measured, {}, {}, measured};
+        if (measured < -limit) return NewtonDepth{n_, measured, {}, {}, measured};
       }
       for (int k = 0; k < 4 && depth_ > before + rise * size_; ++k) {
         n_ = cleaned(n_ + from);
@@ -314,7 +314,7 @@ class Descent {
     return Step::moved;
   }
 
-  std::optional<DirectDepth> finished() {
+  std::optional<NewtonDepth> finished() {
     // The gradient is balanced by a place on the face that n is normal to.
     Vec3d g = gradient_ - n_ * depth_;
     slope_ = g;
@@ -335,7 +335,7 @@ class Descent {
     }
     if (!(length(g) <= unbalanced * size_) || !(overlap_along(n_) <= depth_ + rise * size_)) return std::nullopt;
     const Vec3d from_a = part_[0], from_b = way_ - turn_ * part_[1];
-    DirectDepth r{n_, depth_, from_a + side_[0].center, from_b + side_[0].center, 0};
+    NewtonDepth r{n_, depth_, from_a + side_[0].center, from_b + side_[0].center, 0};
     r.lower = depth_ < 0 ? -length(from_b - from_a) : proven(from_a, from_b, length(g));
     return r;
   }
@@ -418,7 +418,7 @@ class Descent {
 
 }  // namespace
 
-[[gnu::flatten]] std::optional<DirectDepth> newton_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a,
+[[gnu::flatten]] std::optional<NewtonDepth> newton_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a,
                                                          double limit) {
   return Descent(a, b, b_in_a).run(limit);
 }

@@ -238,8 +238,8 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Observer&
 
 /// Starts from four points: the support point along the line from centre to centre, and three along vectors that lean
 /// from it to where that point lies. They have no dependency on each other as steps do, and save about three of these.
-/// For polyhedra, whose support points are all corners. The separations along these vectors answer a goal that they
-/// meet; else they are dropped, since the last step of the search proves as much along a better one.
+/// Polyhedra start so: all their support points are corners. The separations along these vectors answer a goal that
+/// they meet; else they are dropped, since the last step of the search proves as much along a better one.
 template <class Difference, class Observer = Unobserved>
 GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, const Observer& observer = {}) {
   // Unit vectors by their components along that line, towards the point and across: 1, 0.3, 0 and 1, 0.5, +-0.5. Among

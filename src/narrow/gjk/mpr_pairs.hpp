@@ -20,6 +20,8 @@ enum class PortalSide : std::uint8_t {
   hull,    ///< the hull of up to `most_portal_points` points
   none
 };
+/// Whether two sides stand in the order in which the kernel takes them: sums first, hulls last.
+constexpr bool in_portal_order(PortalSide first, PortalSide second) { return first <= second; }
 
 /// Number of pairs passed in at a time, a multiple of all numbers of lanes.
 inline constexpr std::size_t portal_chunk = 64;

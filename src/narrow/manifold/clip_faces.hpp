@@ -2,6 +2,13 @@
 //
 // Guarantee: every point lies on both faces (extended along the normal), b - a is its distance along the normal, and
 // the points span the whole area in which the faces overlap.
+//
+// There are four face clippers. This one takes any two faces of one pair, with lists that grow. Lanes cannot follow
+// lists of different lengths, so pairs across lanes have clippers with a fixed number of slots, each for the directions
+// of sides that it knows beforehand: two rectangles (`pairs/box_box/clip_box_faces.hpp`), a rectangle and a triangle
+// (`pairs/box_triangle/clip_over_box.hpp`), and two triangles (`pairs/triangle_triangle/clip_triangles.hpp`). They
+// share the polygon's slots and its simplification (`pairs/box_box/contact_polygon.hpp`), and tests hold them against
+// this one.
 #pragma once
 
 #include <span>

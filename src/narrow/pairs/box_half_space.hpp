@@ -5,7 +5,7 @@
 // vertices in that order. There are points exactly where the distance is within the margin.
 #pragma once
 
-#include "narrow/pairs/box_box/clip_faces.hpp"
+#include "narrow/pairs/box_box/clip_box_faces.hpp"
 #include "narrow/pairs/half_space_slots.hpp"
 
 namespace graze {

@@ -18,7 +18,7 @@ template <class A, class B, class T>
       weight = ball_weight(p.a.radius, p.b.radius);
     const S meeting = put_all<A, B>(c, p.margin, weight, contacts + first, meetings + first);
     if constexpr (std::is_same_v<A, Capsule<T>>) {
-      const std::uint32_t lying = Chosen<T>::not_less(meeting, S(3)).bits() & filled_lanes<T>(p.count);
+      const std::uint32_t lying = lying_lanes<T>(meeting, p.count);
       if (lying == 0) continue;
       put_sides(side_contact(p.a, p.pose_a, p.b, p.pose_b, c.at, p.margin), lying, sides);
       sides += count_bits(lying);

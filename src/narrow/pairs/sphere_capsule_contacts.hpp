@@ -7,7 +7,7 @@
 #include <iterator>
 #include <optional>
 
-#include "narrow/pairs/box_box/clip_faces.hpp"
+#include "narrow/pairs/box_box/clip_box_faces.hpp"
 #include "narrow/pairs/closed_form_pair.hpp"
 #include "narrow/pairs/segment_contact.hpp"
 #include "narrow/pairs/triangle_parts.hpp"

@@ -114,7 +114,7 @@ template <class A, class T>
     const auto c = contacts_of<T>(p.a, p.pose_a, p.b, p.pose_b, p.margin, p.count);
     const Lanes<T> meeting = put_all<A, Triangle<T>>(c, p.margin, Lanes<T>(T(0.5)), contacts + first, meetings + first);
     if constexpr (std::is_same_v<A, Capsule<T>>) {
-      const std::uint32_t lying = Chosen<T>::not_less(meeting, Lanes<T>(3)).bits() & filled_lanes<T>(p.count);
+      const std::uint32_t lying = lying_lanes<T>(meeting, p.count);
       if (lying == 0) continue;
       put_lying(p.a, p.pose_a, p.b, p.pose_b, c, p.margin, lying, sides);
       sides += count_bits(lying);

@@ -40,7 +40,8 @@ AxisChoice<S> choose_axis(const S& face, const S& edge, const S& noise, const S&
   return {select(edge_best, edge, face), edge_best, edge_chosen};
 }
 
-/// The best normal of contacts seen so far: a face's, where it separates the shapes about as far as that of least depth.
+/// The best normal of contacts seen so far: a face's, where it separates the shapes about as far as that of least
+/// depth.
 template <class S>
 struct PreferredNormal {
   S most;  ///< largest separation along a face, or the least that one needs

@@ -137,8 +137,8 @@ class ContactPolygon {
   Mask gone_ = S(0) < S(0);
 };
 
-/// For a number of each corner of a polygon, the numbers of the corner before it and of the corner after it; undefined
-/// for empty slots.
+/// The numbers before and after each corner of a polygon that has a number at every corner; undefined for empty
+/// slots.
 template <class S>
 class Around {
  public:

@@ -1,7 +1,7 @@
 #include "narrow/batch/pair_bundle.hpp"
 #include "narrow/batch/point_rows.hpp"
 #include "narrow/batch/row_bundle.hpp"
-#include "narrow/pairs/box_box/clip_faces.hpp"
+#include "narrow/pairs/box_box/clip_box_faces.hpp"
 
 namespace graze::GRAZE_ISA {
 

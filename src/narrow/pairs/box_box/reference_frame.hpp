@@ -9,24 +9,24 @@
 
 namespace graze::detail {
 
-/// A cyclic permutation that puts one of three axes last.
+/// The choice of an `AxisPermutation` for packed rows: a cyclic permutation that puts one of three axes last.
 template <class S>
-class AxisLast {
+class PackedPermutation {
  public:
   using Number = S;
   using Row = Packed<S, 3>;
   using Mask = typename Row::Mask;
 
-  AxisLast() = default;
+  PackedPermutation() = default;
   /// The permutation that puts axis 0, 1 or 2 last; the number is given three times.
-  static AxisLast of(const Row& number) { return {number == Row(S(0)), number == Row(S(1))}; }
+  static PackedPermutation of(const Row& number) { return {number == Row(S(0)), number == Row(S(1))}; }
   /// The permutation that puts last the axis along which a vector is longest, the first of equal ones.
-  static AxisLast longest(const Row& v) {
+  static PackedPermutation longest(const Row& v) {
     const Row a = abs(v), x = spread<0>(a), y = spread<1>(a), z = spread<2>(a);
     const Mask first = (x >= y) & (x >= z);
     return {first, (!first) & (y >= z)};
   }
-  friend AxisLast select(const Mask& condition, const AxisLast& yes, const AxisLast& no) {
+  friend PackedPermutation select(const Mask& condition, const PackedPermutation& yes, const PackedPermutation& no) {
     const Mask other = !condition;
     return {(condition & yes.first_) | (other & no.first_), (condition & yes.second_) | (other & no.second_)};
   }
@@ -42,7 +42,7 @@ class AxisLast {
   }
 
  private:
-  AxisLast(const Mask& first, const Mask& second) : first_(first), second_(second) {}
+  PackedPermutation(const Mask& first, const Mask& second) : first_(first), second_(second) {}
   Mask first_, second_;
 };
 
@@ -54,9 +54,10 @@ Packed<S, 3> edges_normal(const BoxRows<S>& p, const Packed<S, 3>& number) {
   using Row = Packed<S, 3>;
   const Row zero(S(0)), first = select(number < Row(S(3)), zero, select(number < Row(S(6)), Row(S(1)), Row(S(2))));
   const Rows<S> columns = transposed(p.rotation);
-  const Row along = AxisLast<S>::of(number - first * Row(S(3))).pick(columns.row[0], columns.row[1], columns.row[2]),
+  const Row along = PackedPermutation<S>::of(number - first * Row(S(3)))
+                        .pick(columns.row[0], columns.row[1], columns.row[2]),
             back = -along;
-  const Row product = AxisLast<S>::of(first).pick(
+  const Row product = PackedPermutation<S>::of(first).pick(
       gathered<0, 2, 1>(zero, back, along), gathered<2, 0, 0>(along, zero, back), gathered<1, 0, 0>(back, along, zero));
   const S scale = S(1) / sqrt(sum(product * product));
   return product * Row(scale * select(sum(p.translation * product) < S(0), S(-1), S(1)));
@@ -68,13 +69,13 @@ struct ReferenceFrame {
   using Row = Packed<S, 3>;
   using Mask = typename Row::Mask;
 
-  Mask by_b;             ///< the reference box is B
-  AxisLast<S> face;      ///< the axis of the reference face, and so the order of the coordinates
-  Row normal;            ///< from the reference box to the other; for a face exactly one of its axes
-  S steep;               ///< one over the last component of the normal
-  Row half, half_other;  ///< half extents of the reference box, permuted, and of the other, in its own order
-  Row translation;       ///< centre of the other box
-  Rows<S> rotation;      ///< rotation of the other box
+  Mask by_b;                  ///< the reference box is B
+  PackedPermutation<S> face;  ///< the axis of the reference face, and so the order of the coordinates
+  Row normal;                 ///< from the reference box to the other; for a face exactly one of its axes
+  S steep;                    ///< one over the last component of the normal
+  Row half, half_other;       ///< half extents of the reference box, permuted, and of the other, in its own order
+  Row translation;            ///< centre of the other box
+  Rows<S> rotation;           ///< rotation of the other box
 
   /// `p` as `seen_from_clipping` has it.
   ReferenceFrame(const BoxRows<S>& p, const S& axis) {
@@ -83,13 +84,13 @@ struct ReferenceFrame {
     const Mask of_edges = number >= six;
     const bool any_edges = any(of_edges);
     by_b = b_clips(number);
-    face = AxisLast<S>::of(number - select(by_b, three, zero));
+    face = PackedPermutation<S>::of(number - select(by_b, three, zero));
     Row product;
     if (any_edges) {
       const Row of_b = number - Row{S(T(first_of_b_clipping))};
       const Row first = select(of_b < three, zero, select(of_b < six, one, Row(S(T(2)))));
       product = edges_normal(p, select(by_b, three * (of_b - three * first) + first, number - six));
-      face = select(of_edges, AxisLast<S>::longest(product), face);
+      face = select(of_edges, PackedPermutation<S>::longest(product), face);
     }
     half = face(p.half_a);
     half_other = p.half_b;

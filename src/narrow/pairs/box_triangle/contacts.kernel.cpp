@@ -1,6 +1,6 @@
 #include "narrow/batch/pair_bundle.hpp"
 #include "narrow/batch/point_rows.hpp"
-#include "narrow/pairs/box_triangle/clip_faces.hpp"
+#include "narrow/pairs/box_triangle/clip_over_box.hpp"
 
 namespace graze::GRAZE_ISA {
 

@@ -90,7 +90,7 @@ struct FlatSide {
 
 /// An interval of a line, from `low` to `high`; empty where these are the other way round.
 template <class S>
-struct Stretch {
+struct LineInterval {
   S low, high;
   auto is() const { return low <= high; }
   template <class M>
@@ -115,7 +115,7 @@ struct RectangleAndTriangle {
   /// Finds the corners. Ends of an edge within `together` of each other, squared, are one.
   void corners(Corner<S> (&slots)[most_contact_slots], const S& together) const {
     const Mask none = half.x < S(0);
-    const Stretch<S> on[] = {on_side(side[0]), on_side(side[1]), on_side(side[2])};
+    const LineInterval<S> on[] = {on_side(side[0]), on_side(side[1]), on_side(side[2])};
     const auto at = [&](std::size_t i, const S& t, const Mask& is) {
       return Corner<S>{{side[i].from.x + side[i].along.x * t, side[i].from.y + side[i].along.y * t}, is};
     };
@@ -126,7 +126,7 @@ struct RectangleAndTriangle {
     if (!any(whole)) return;
 
     const Corner<S> a0 = slots[0], a1 = at(1, on[1].low, on[1].is()), a2 = at(2, on[2].low, on[2].is());
-    const Stretch<S> bottom = on_x(-half.y), top = on_x(half.y), right = on_y(half.x), left = on_y(-half.x);
+    const LineInterval<S> bottom = on_x(-half.y), top = on_x(half.y), right = on_y(half.x), left = on_y(-half.x);
     const Corner<S> r0{{bottom.low, -half.y}, bottom.is()}, r1{{half.x, right.low}, right.is()},
         r2{{top.high, half.y}, top.is()}, r3{{-half.x, left.high}, left.is()};
     // Order of the rectangle's sides among the triangle's.
@@ -147,7 +147,7 @@ struct RectangleAndTriangle {
 
  private:
   /// The interval of a triangle's side, in parameters from 0 to 1, within the rectangle.
-  Stretch<S> on_side(const FlatSide<S>& s) const {
+  LineInterval<S> on_side(const FlatSide<S>& s) const {
     const FlatPoint<S> reach{half.x + rounding, half.y + rounding};
     const S x0 = (-reach.x - s.from.x) * s.per_x, x1 = (reach.x - s.from.x) * s.per_x,
             y0 = (-reach.y - s.from.y) * s.per_y, y1 = (reach.y - s.from.y) * s.per_y;
@@ -155,14 +155,14 @@ struct RectangleAndTriangle {
             least(S(1), least(greatest(x0, x1), greatest(y0, y1)))};
   }
   /// The interval of a rectangle's side within the triangle: along x at the height `y`, or along y at `x`.
-  Stretch<S> on_x(const S& y) const {
-    Stretch<S> found{-half.x, half.x};
+  LineInterval<S> on_x(const S& y) const {
+    LineInterval<S> found{-half.x, half.x};
     for (const FlatSide<S>& s : side)
       found.cut(s.per_y < S(0), s.from.x + (s.along.x * (y - s.from.y) + s.slack) * s.per_y);
     return found;
   }
-  Stretch<S> on_y(const S& x) const {
-    Stretch<S> found{-half.y, half.y};
+  LineInterval<S> on_y(const S& x) const {
+    LineInterval<S> found{-half.y, half.y};
     for (const FlatSide<S>& s : side)
       found.cut(s.per_x > S(0), s.from.y + (s.along.y * (x - s.from.x) - s.slack) * s.per_x);
     return found;

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "narrow/core/answer_rounding.hpp"
-#include "narrow/pairs/box_box/clip_faces.hpp"
-#include "narrow/pairs/triangle_triangle/clip_faces.hpp"
+#include "narrow/pairs/box_box/clip_box_faces.hpp"
+#include "narrow/pairs/triangle_triangle/clip_triangles.hpp"
 #include "narrow/pairs/triangle_triangle/distance.hpp"
 
 namespace graze {

@@ -21,7 +21,7 @@ struct DirectPair {
   DirectPair(const Specimen& sa, const Specimen& sb, const Posed& b_in_a)
       : a(build<double>(sa)), b(build<double>(sb)), pose(b_in_a) {}
   double overlap_along(const Vec3d& n) const { return -dot(difference.support(n).w, n); }
-  std::optional<DirectDepth> direct(double limit, Isa level = chosen_isa()) const {
+  std::optional<NewtonDepth> direct(double limit, Isa level = chosen_isa()) const {
     return GRAZE_KERNEL(level, newton_depth)(*core_a.summed(), *core_b.summed(), pose, limit);
   }
 };
@@ -39,7 +39,7 @@ void for_round_pairs(std::uint64_t seed, int count, float spread, const Check& c
   }
 }
 
-TEST(DirectDepth, IsThatOfTheExpandingPolytope) {
+TEST(NewtonDepth, IsThatOfTheExpandingPolytope) {
   int overlapping = 0, answered = 0;
   for_round_pairs(1, 4000, 0.7f, [&](const DirectPair& pair, Random&) {
     const double size = pair.difference.size();
@@ -57,7 +57,7 @@ TEST(DirectDepth, IsThatOfTheExpandingPolytope) {
   EXPECT_GT(answered, overlapping * 92 / 100) << overlapping - answered << " of " << overlapping;
 }
 
-TEST(DirectDepth, NoDirectionHasLessThanIsProven) {
+TEST(NewtonDepth, NoDirectionHasLessThanIsProven) {
   for_round_pairs(2, 1000, 0.5f, [&](const DirectPair& pair, Random& random) {
     const auto found = pair.direct(1e300);
     if (!found || found->depth < 0) return;
@@ -70,7 +70,7 @@ TEST(DirectDepth, NoDirectionHasLessThanIsProven) {
   });
 }
 
-TEST(DirectDepth, EveryLevelGivesTheSameBits) {
+TEST(NewtonDepth, EveryLevelGivesTheSameBits) {
   for_round_pairs(5, 1000, 0.9f, [&](const DirectPair& pair, Random&) {
     const auto first = pair.direct(1e300, Isa::baseline);
     for (const Isa level : {Isa::avx2, Isa::avx512}) {
@@ -87,7 +87,7 @@ TEST(DirectDepth, EveryLevelGivesTheSameBits) {
   });
 }
 
-TEST(DirectDepth, DistancesAreThoseOfGjk) {
+TEST(NewtonDepth, DistancesAreThoseOfGjk) {
   int apart = 0, answered = 0;
   for_round_pairs(3, 2000, 2.5f, [&](const DirectPair& pair, Random&) {
     const double size = pair.difference.reach();
@@ -156,7 +156,7 @@ bool none_less_on_grid(const PolarTerms& terms) {
 
 // A point near the middle of an ellipsoid that is 1 wide and `low` high: straight up is the shortest way out, sideways
 // is stationary and not. In the middle itself down were as good.
-TEST(PolarProof, TellsTheLeastFromTheStationary) {
+TEST(DepthCertificate, TellsTheLeastFromTheStationary) {
   constexpr double low = 0.2;
   PolarTerms up{0.9 * low};
   up.rounds.push_back({low, {0, 0}, {1, 0, 1}});
@@ -167,7 +167,7 @@ TEST(PolarProof, TellsTheLeastFromTheStationary) {
 }
 
 // A point on the axis of a box of half edges 1 and of a half thickness: straight up.
-TEST(PolarProof, ASlabIsLeftThroughItsFace) {
+TEST(DepthCertificate, ASlabIsLeftThroughItsFace) {
   for (const double thickness : {0.1, 0.9, 1.2, 2.0}) {
     PolarTerms terms{0.9 * thickness};
     terms.creases.push_back({{1, 0}, 1, 1});
@@ -179,7 +179,7 @@ TEST(PolarProof, ASlabIsLeftThroughItsFace) {
 
 // Terms as of cores that meet in all ways: by creases, by the face of a disc, or where both are smooth; and of each the
 // greatest depth that is proven, beyond which a bound that were too good would lead.
-TEST(PolarProof, NoDirectionHasLessWhereItHolds) {
+TEST(DepthCertificate, NoDirectionHasLessWhereItHolds) {
   Random random(4);
   const auto between = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(uniform(random, 0, 1));
@@ -211,7 +211,7 @@ TEST(PolarProof, NoDirectionHasLessWhereItHolds) {
 }
 
 // A form that bends less than the depth, and a segment across n too short to make up for it: already near n is less.
-TEST(PolarProof, ASegmentAcrossTheNormalHidesNothing) {
+TEST(DepthCertificate, ASegmentAcrossTheNormalHidesNothing) {
   for (const double along : {1e-17, 0.0, -0.0}) {
     PolarTerms terms{0.32};
     terms.rounds.push_back({1, {0, 0}, {0.3, 0, 0.3}});
@@ -221,7 +221,7 @@ TEST(PolarProof, ASegmentAcrossTheNormalHidesNothing) {
 }
 
 // A ball a little larger than the depth: nothing is in doubt, but to prove it takes more cells than are looked at.
-TEST(PolarProof, IsGivenUpWithoutADoubtWhereItTakesTooLong) {
+TEST(DepthCertificate, IsGivenUpWithoutADoubtWhereItTakesTooLong) {
   PolarTerms terms{0.97};
   terms.rounds.push_back({1, {0, 0}, {1, 0, 1}});
   ASSERT_FALSE(proven(terms));

@@ -6,7 +6,7 @@
 // elsewhere by more than `face_preference`.
 #pragma once
 
-#include "narrow/pairs/box_box/clip_faces.hpp"
+#include "narrow/pairs/box_box/clip_box_faces.hpp"
 #include "narrow/pairs/box_triangle/sat.hpp"
 #include "narrow/pairs/triangle_face.hpp"
 

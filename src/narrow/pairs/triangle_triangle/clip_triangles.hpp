@@ -35,8 +35,8 @@ struct SideRows {
   }
 };
 
-/// For each side of either triangle the interval within the other, from `low` to `high` in parameters of the side,
-/// empty where these are the other way round; and for each side of A the cross products with the sides of B.
+/// The intervals of each triangle's sides within the other triangle, from `low` to `high` in parameters of the side,
+/// empty where these are the other way round; and the cross products of A's sides with B's.
 template <class Row>
 struct ClippedSides {
   using S = typename RowOf<Row>::Number;

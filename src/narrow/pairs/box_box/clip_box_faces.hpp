@@ -170,7 +170,7 @@ void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Pac
 
   // The incident box's axes permuted too, until that of its face comes last.
   const Row lean = transposed_times(seen.rotation, n);
-  const auto other = detail::AxisLast<S>::longest(lean);
+  const auto other = detail::PackedPermutation<S>::longest(lean);
   const Row half_other = other(seen.half_other), z = other(seen.rotation.row[2]);
   const Rows<S> axes = transposed(Rows<S>{other(seen.rotation.row[0]), other(seen.rotation.row[1]), z});
   const auto plus = spread<2>(n) >= Row(zero), other_plus = spread<2>(other(lean)) < Row(zero);
