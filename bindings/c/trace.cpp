@@ -189,7 +189,10 @@ void draw_step(graze::DebugDraw& on, const graze::Trace& trace, size_t step) {
 extern "C" {
 
 GrazeStatus graze_trace_create(GrazeTrace** trace) {
-  return guarded([&] { *given(trace, "trace") = new GrazeTrace; });
+  return guarded([&] {
+    given(trace, "trace");
+    *trace = new GrazeTrace;
+  });
 }
 
 void graze_trace_destroy(GrazeTrace* trace) {

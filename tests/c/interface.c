@@ -655,6 +655,7 @@ static void test_draw(void) {
 
   on.layers = ~0u;
   GrazeTrace* trace;
+  REFUSED(graze_trace_create(NULL), "trace: expected a pointer, got null");
   OK(graze_trace_create(&trace));
   const GrazePosed here = graze_pose_identity_d();
   bool touch;
