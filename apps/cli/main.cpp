@@ -7,6 +7,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "command_line.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -15,34 +16,6 @@ namespace {
 using namespace graze::cli;
 
 constexpr int cannot_work = 2;
-
-/// The first word of the command line that is no option, if it names no command.
-const char* unknown_command(CLI::App& app, int argc, char** argv) {
-  const auto word = std::find_if(argv + 1, argv + argc, [](const char* argument) { return argument[0] != '-'; });
-  const auto commands = app.get_subcommands({});
-  const auto named = [&](const CLI::App* command) { return command->check_name(*word); };
-  return word == argv + argc || std::any_of(commands.begin(), commands.end(), named) ? nullptr : *word;
-}
-
-std::string names_of_commands(CLI::App& app) {
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
-  return names;
-}
-
-/// Refuses an empty text for any option of a command. The parser would take it for zero, the command for an option that
-/// was not given, and it is what a variable of the shell has that was never set.
-void refuse_empty_values(CLI::App& command) {
-  const auto refusing = [](const char* what) {
-    return CLI::Validator([what](const std::string& text) { return text.empty() ? what : std::string(); }, "");
-  };
-  static const CLI::Validator number = refusing("expected a number, got nothing"),
-                              name = refusing("expected a name, got nothing");
-  for (CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_type_size() > 0; })) {
-    const std::string type = option->get_type_name();
-    option->check(type == "FLOAT" || type == "INT" || type == "UINT" ? number : name);
-  }
-}
 
 /// Parses the command line and runs its command; returns the exit code.
 int run(int argc, char** argv) {
@@ -59,14 +32,14 @@ int run(int argc, char** argv) {
   };
   for (CLI::App* command : app.get_subcommands({})) {
     command->add_flag("-q,--quiet", quiet(), "Neither notes nor progress, only the answer and errors");
-    refuse_empty_values(*command);
   }
+  refuse_empty_values(app);
   if (argc < 2) {
     fmt::print("{}", app.help());
     return 0;
   }
-  if (const char* word = unknown_command(app, argc, argv)) {
-    fmt::print(stderr, "graze: {}: no such command; there are {} (graze --help)\n", word, names_of_commands(app));
+  if (const std::string error = unknown_command(app, argc, argv); !error.empty()) {
+    fmt::print(stderr, "graze: {}\n", error);
     return cannot_work;
   }
   try {

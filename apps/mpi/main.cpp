@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cli/command_line.hpp"
 #include "graze/mpi/sweep.hpp"
 #include "mpi/commands.hpp"
 
@@ -41,10 +42,16 @@ int run(int argc, char** argv, int rank) {
   app.footer("Examples:\n  mpirun -n 8 graze-mpi collide city.gltf --svg owners.svg\n  mpirun -n 8 graze-mpi query "
              "questions.jsonl --out answers.jsonl");
   const std::pair<const char*, Run> commands[] = {{"collide", add_collide(app)}, {"query", add_query(app)}};
+  refuse_empty_values(app);
   // Ranks would wait for each other if only some of them could go on.
   const auto agree_on_command_line = [](const std::string& said) {
     graze::mpi::agree_on(MPI_COMM_WORLD, "the command line", said);
   };
+  if (const std::string error = unknown_command(app, argc, argv); !error.empty()) {
+    agree_on_command_line(error);
+    if (rank == 0) fmt::print(stderr, "graze-mpi: {}\n", error);
+    return cannot_work;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

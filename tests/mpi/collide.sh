@@ -56,6 +56,7 @@ case $case in
     said "the files to write"
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --svg nowhere/a.svg; said "nowhere/a.svg"
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --margin -1; said "--margin"
+    expect 2 ranks 2 "$graze_mpi" collide town.gltf --margin ""; said "--margin: expected a number, got nothing"
     echo '{"asset": {"version": "2.0"}}' >nothing.gltf # no body on any rank
     expect 0 ranks 2 "$graze_mpi" collide nothing.gltf; said "0 pairs in contact"
     ln -s /dev/full full.jsonl
