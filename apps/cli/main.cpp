@@ -1,10 +1,8 @@
 // The program: one command a file.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <iterator>
 #include <system_error>
 
 #include "command_line.hpp"
@@ -30,9 +28,8 @@ int run(int argc, char** argv) {
       {"explain", add_explain(app)}, {"info", add_info(app)},         {"query", add_query(app)},
       {"replay", add_replay(app)},   {"simulate", add_simulate(app)}, {"view", add_view(app)},
   };
-  for (CLI::App* command : app.get_subcommands({})) {
+  for (CLI::App* command : app.get_subcommands({}))
     command->add_flag("-q,--quiet", quiet(), "Neither notes nor progress, only the answer and errors");
-  }
   refuse_empty_values(app);
   if (argc < 2) {
     fmt::print("{}", app.help());
