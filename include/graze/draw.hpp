@@ -79,7 +79,8 @@ class GRAZE_API DebugDraw {
   /// `words` at a point; the text is valid until the function returns.
   virtual void text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) = 0;
 
-  /// All faces of a shape; by default as triangles, with lines along the edges that are the shape's own.
+  /// All faces of a shape; by default as triangles, with lines along the edges that are the shape's own, coinciding
+  /// ones once. Loops of two points are lines, of one point points.
   virtual void polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning);
   /// A direction, a unit vector, at a place; by default as a line of a length that suits the area, with two for its
   /// head.

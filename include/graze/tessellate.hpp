@@ -1,8 +1,8 @@
 // Tessellation: shapes as polygons, for pictures and for files that are looked at.
 //
 // Guarantee: any shape, of space or of the plane; points lie on its surface, those of the plane at z = 0. Flat parts
-// are exact; curved ones are sampled finely enough for the eye and no finer. Costs memory and time for each point, and
-// allocates: not for use pair by pair.
+// are exact; curved ones are sampled finely enough for the eye and no finer; a shape that is a segment or a point is a
+// loop of two points or of one. Costs memory and time for each point, and allocates: not for use pair by pair.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@ namespace graze {
 /// Faces as loops of points.
 struct Polygons {
   std::vector<Vec3d> points;                      ///< in world space
-  std::vector<std::vector<std::uint32_t>> loops;  ///< counter-clockwise seen from outside, or from z > 0
+  std::vector<std::vector<std::uint32_t>> loops;  ///< counter-clockwise seen from outside, or from z > 0; a segment has
+                                                  ///< two points, a point one
   bool smooth = false;                            ///< whether edges come from the sampling, not from the shape
   bool closed = true;                             ///< whether there is an inside, so that faces seen from behind are
                                                   ///< hidden

@@ -1,8 +1,29 @@
 // The default ways of a renderer to draw, and the colours of pictures.
+#include <array>
+#include <set>
+
 #include "draw/cut_polygon.hpp"
 #include "graze/draw.hpp"
 
 namespace graze {
+
+namespace {
+
+/// Edges by their ends, in either order.
+class DrawnEdges {
+ public:
+  /// Whether the edge is new.
+  bool add(const Vec3d& p, const Vec3d& q) {
+    const Place a{p.x, p.y, p.z}, b{q.x, q.y, q.z};
+    return edges_.insert(a < b ? std::pair{a, b} : std::pair{b, a}).second;
+  }
+
+ private:
+  using Place = std::array<double, 3>;
+  std::set<std::pair<Place, Place>> edges_;
+};
+
+}  // namespace
 
 DebugDraw::~DebugDraw() = default;
 
@@ -11,12 +32,15 @@ void DebugDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning mea
   for (const auto& loop : shape.loops)
     if (loop.size() > 2) cut_polygon(shape.points, loop, triangles);
   for (const auto& [i, j, k] : triangles) triangle(shape.points[i], shape.points[j], shape.points[k], layer, meaning);
+  DrawnEdges drawn;
   for (const auto& loop : shape.loops) {
+    if (loop.size() == 1) point(shape.points[loop[0]], layer, meaning);
     if (shape.smooth && loop.size() > 2) continue;
     const std::size_t edges = loop.size() > 2 ? loop.size() : loop.size() - 1;
-    for (std::size_t i = 0; i < edges; ++i)
-      line(shape.points[loop[i]], shape.points[loop[(i + 1) % loop.size()]], layer, meaning);
-    if (edges == 0) point(shape.points[loop[0]], layer, meaning);
+    for (std::size_t i = 0; i < edges; ++i) {
+      const Vec3d &from = shape.points[loop[i]], &to = shape.points[loop[(i + 1) % loop.size()]];
+      if (drawn.add(from, to)) line(from, to, layer, meaning);
+    }
   }
 }
 
@@ -31,8 +55,8 @@ void DebugDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer
 
 DrawColor suggested_color(DrawMeaning meaning) {
   switch (meaning) {
-  case DrawMeaning::a: return {84, 130, 176};
-  case DrawMeaning::b: return {224, 142, 69};
+  case DrawMeaning::a: return {31, 111, 235};
+  case DrawMeaning::b: return {217, 130, 43};
   case DrawMeaning::fixed: return {206, 211, 218};
   case DrawMeaning::touched: return {211, 189, 187};
   case DrawMeaning::moving: return {141, 169, 196};

@@ -47,6 +47,30 @@ void draw_bodies(DebugDraw& on, const World<T, Space>& world, const Poses& poses
   }
 }
 
+/// Draws the boxes of a tree, each as `shown` gives it.
+template <class T, class Shown>
+void draw_tree(DebugDraw& on, const DynamicTree<T>& tree, const Shown& shown) {
+  if (!on.wants(DrawLayer::tree)) return;
+  const auto draw_box = [&](const Aabb<T>& box) {
+    draw(on, shown(box), DrawLayer::tree, DrawMeaning::bounds);
+    return true;
+  };
+  tree.visit(draw_box, [](std::uint32_t, const Aabb<T>&) {});
+}
+
+template <class T>
+void draw_tree_of(DebugDraw& on, const World<T, Space<T>>& world) {
+  draw(on, world.tree());
+}
+/// The boxes of a tree are those of space. In the plane only the margin around bodies is left of their third side.
+template <class T>
+void draw_tree_of(DebugDraw& on, const World<T, plane::Space<T>>& world) {
+  draw_tree(on, world.tree(), [](Aabb<T> box) {
+    box.lower.z = box.upper.z = T(0);
+    return box;
+  });
+}
+
 template <class AnyJoint, class AnyPose>
 void draw_joint(DebugDraw& on, const AnyJoint& joint, const AnyPose& pose_a, const AnyPose& pose_b) {
   if (!on.wants(DrawLayer::joints)) return;
@@ -78,12 +102,7 @@ DrawArea draw_area(const World<T, Space>& world) {
 
 template <class T>
 void draw(DebugDraw& on, const DynamicTree<T>& tree) {
-  if (!on.wants(DrawLayer::tree)) return;
-  const auto draw_box = [&](const Aabb<T>& box) {
-    draw(on, box, DrawLayer::tree, DrawMeaning::bounds);
-    return true;
-  };
-  tree.visit(draw_box, [](std::uint32_t, const Aabb<T>&) {});
+  draw_tree(on, tree, [](const Aabb<T>& box) { return box; });
 }
 
 template <class T>
@@ -99,7 +118,7 @@ void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const plane::Po
 template <class T, class Space>
 void draw(DebugDraw& on, const World<T, Space>& world) {
   draw_bodies(on, world, world.bodies().poses(), [](std::uint32_t) { return false; });
-  if (on.wants(DrawLayer::tree)) draw(on, world.tree());
+  draw_tree_of(on, world);
   draw_contacts(on, world);
 }
 
@@ -108,7 +127,7 @@ void draw(DebugDraw& on, const Simulation<T, Space>& simulation) {
   const World<T, Space>& world = simulation.world();
   const auto& poses = simulation.poses();
   draw_bodies(on, world, poses, [&](std::uint32_t i) { return simulation.asleep(world.bodies().id(i)); });
-  if (on.wants(DrawLayer::tree)) draw(on, world.tree());
+  draw_tree_of(on, world);
   draw_contacts(on, world);
   if (!on.wants(DrawLayer::joints)) return;
   for (const JointId id : simulation.joints()) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "graze/angles.hpp"
 
@@ -28,6 +29,7 @@ Vec3d in_world(const Posed& pose, const Vec3<T>& p) {
   return transform(pose, converted<double>(p));
 }
 
+/// A hull by its faces; one that is a segment or a point by that alone.
 template <class T>
 Polygons of_hull(const ConvexHull<T>& hull, const Posed& pose) {
   Polygons out;
@@ -36,6 +38,10 @@ Polygons of_hull(const ConvexHull<T>& hull, const Posed& pose) {
   for (std::size_t f = 0; f < data.planes.size(); ++f) {
     const auto loop = data.loop(f);
     out.loops.emplace_back(loop.begin(), loop.end());
+  }
+  if (out.loops.empty()) {
+    std::vector<std::uint32_t>& thin = out.loops.emplace_back(out.points.size());
+    std::iota(thin.begin(), thin.end(), 0u);
   }
   return out;
 }

@@ -219,6 +219,7 @@ class AnimatedScene final : public Recording {
   void draw(const Collider& c, std::optional<std::size_t> node, const Affine& to_node, bool kept) {
     const Aabbd all = extent(scene_);
     Polygons shape = tessellate(c.shape, c.pose, all.center(), max_abs(all.extent()));
+    thicken(shape, max_abs(all.extent()));
     for (Vec3d& p : shape.points) p = to_node(p);
     const bool fixed = scene_.bodies[c.body].type == MotionType::fixed;
     const auto mesh = writer_.mesh(c.name, shape, c.trigger ? trigger_look : collider_look(kept, fixed));

@@ -95,14 +95,15 @@ std::string draw_step(const Step& step, const std::vector<Vec3d>& difference, co
                          "stroke-width=\".8\"",
                          true);
   if (step.polygon.size() > 1)
-    out += path(view, step.polygon, R"(fill="#5482b0" fill-opacity=".18" stroke="#5482b0" stroke-width="1")", true);
+    out += path(view, step.polygon,
+                fmt::format(R"(fill="{0}" fill-opacity=".18" stroke="{0}" stroke-width="1")", hex(color_a)), true);
   const bool filled = step.simplex.size() > 2;
   if (step.simplex.size() > 1)
     out += path(view, step.simplex,
-                filled ? R"(fill="#e08e45" fill-opacity=".3" stroke="#e08e45" stroke-width="2.4")"
-                       : R"(stroke="#e08e45" stroke-width="2.4")",
+                (filled ? fmt::format(R"(fill="{}" fill-opacity=".3" )", hex(color_b)) : std::string()) +
+                    fmt::format(R"(stroke="{}" stroke-width="2.4")", hex(color_b)),
                 filled);
-  for (const Vec3d& p : step.simplex) out += dot_at(view, p, "#e08e45");
+  for (const Vec3d& p : step.simplex) out += dot_at(view, p, hex(color_b));
   if (step.searched) {
     out += line(view, step.foot, step.found, "arrow", 1, " stroke-dasharray=\"3 3\"");
     out += dot_at(view, step.found, "red");
@@ -113,14 +114,15 @@ std::string draw_step(const Step& step, const std::vector<Vec3d>& difference, co
 /// The whole difference, and from the origin the shortest way to its outline; of bodies that move, their path in it.
 std::string draw_whole(const Explanation& e, const std::vector<Vec3d>& difference, const Panel& panel) {
   const TraceAxis* axis = named(e.trace.axes, e.trace.winner);
+  const double rounding = e.trace.rounding;
   std::vector<Vec3d> all = difference;
-  all.push_back({});
+  all.insert(all.end(), {{}, {rounding, 0, 0}, {-rounding, 0, 0}, {0, rounding, 0}, {0, -rounding, 0}});
   Vec3d path_end;
   if (e.cast) {
     const double t = e.cast->hit ? e.cast->hit->t : e.cast->duration;
     path_end = (e.cast->a.linear - e.cast->b.linear) * t;
     // A path that misses is drawn as far as it is worth seeing.
-    double size = 0;
+    double size = rounding;
     for (const Vec3d& p : difference) size = std::max(size, length(p));
     if (length(path_end) > 2 * size) path_end = normalized(path_end) * (2 * size);
     all.push_back(path_end);
@@ -128,15 +130,15 @@ std::string draw_whole(const Explanation& e, const std::vector<Vec3d>& differenc
   const View view({0, 0, 1}, all, {panel.x + 16, panel.y + 16, panel.width - 32, panel.height - 32});
   std::string out = path(view, difference, difference_look, true);
   if (difference.size() == 1) out += dot_at(view, difference[0], "#5f8f78");
-  if (e.trace.rounding > 0)
+  if (rounding > 0)
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"gap\" stroke-width=\"1\" "
                        "stroke-dasharray=\"4 3\"/>\n",
-                       view.x({}), view.y({}), std::min(e.trace.rounding * view.scale(), panel.width / 2));
+                       view.x({}), view.y({}), rounding * view.scale());
   if (e.cast) {
     out += line(view, {}, path_end, "arrow", 1.8) + dot_at(view, path_end, e.cast->hit ? "red" : "#868e96");
   } else if (axis) {
     // The way from the origin to the nearest point of the outline: the depth or the distance, and the rounding with it.
-    const Vec3d nearest = axis->direction * (e.trace.rounding - axis->overlap());
+    const Vec3d nearest = axis->direction * (rounding - axis->overlap());
     out += line(view, {}, nearest, axis->overlap() >= 0 ? "shared" : "gap", 2.4) +
            dot_at(view, nearest, axis->overlap() >= 0 ? "red" : "#868e96");
   }

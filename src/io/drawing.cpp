@@ -127,6 +127,11 @@ void SvgDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meani
   const Color own = tint_.value_or(color_of(meaning)), color = layer == DrawLayer::casts ? mixed(own, pale, 0.7) : own;
   const char* glass = is_glass(meaning) ? R"( fill-opacity=".3" stroke-opacity=".5")" : "";
   for (const auto& loop : shape.loops) {
+    if (loop.size() < 3) {
+      const Vec3d &from = shape.points[loop.front()], &to = shape.points[loop.back()];
+      faces_.push_back({view_.depth((from + to) * 0.5), false, thin(from, to, hex(color))});
+      continue;
+    }
     Vec3d normal = face_normal(shape, loop);
     const double facing = dot(normal, view_.toward());
     if (shape.closed && facing <= 0) continue;
@@ -148,6 +153,10 @@ void SvgDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meani
         {view_.depth(middle), max_abs(box.extent()) > background_,
          fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"{}/>\n", points, fill, stroke, glass)});
   }
+}
+
+std::string SvgDraw::thin(const Vec3d& from, const Vec3d& to, const std::string& color) const {
+  return from == to ? dot_at(view_, from, color) : io::line(view_, from, to, color, 2.4, " stroke-linecap=\"round\"");
 }
 
 void SvgDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer, DrawMeaning) {

@@ -93,6 +93,9 @@ class SvgDraw final : public DebugDraw {
   std::vector<Face> take_faces() { return std::move(faces_); }
 
  private:
+  /// A shape without thickness: a segment, or a point.
+  std::string thin(const Vec3d& from, const Vec3d& to, const std::string& color) const;
+
   const View& view_;
   double background_;
   std::optional<Color> tint_;
@@ -100,7 +103,7 @@ class SvgDraw final : public DebugDraw {
   std::string arrows_, lines_, dots_, words_;
 };
 
-/// Words in a look: a class of the picture's style ("ink", "soft", "red"), or a colour ("#5482b0").
+/// Words in a look: a class of the picture's style ("ink", "soft", "red"), or a colour ("#1f6feb").
 std::string text(double x, double y, double size, const std::string& words, const std::string& look = "ink",
                  const char* anchor = "start");
 

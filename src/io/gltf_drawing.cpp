@@ -1,7 +1,9 @@
 #include "io/gltf_drawing.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <functional>
 
 namespace graze::io {
 
@@ -18,8 +20,8 @@ constexpr ColliderLooks over{
 
 constexpr Look contact_look{"contact", 0.75, 0.05, 0.1, 1}, normal_look{"normal", 0.1, 0.2, 0.35, 1},
     path_look{"path", 0.95, 0.6, 0.1, 1}, ghost_look{"ghost", 0.95, 0.6, 0.1, 0.15},
-    impact_look{"impact", 0.95, 0.6, 0.1, 0.6}, gap_look{"gap", 0.75, 0.05, 0.1, 1}, a_look{"A", 0.33, 0.51, 0.69, 0.6},
-    b_look{"B", 0.88, 0.56, 0.27, 0.6}, asleep_look{"asleep", 0.63, 0.65, 0.68, 1},
+    impact_look{"impact", 0.95, 0.6, 0.1, 0.6}, gap_look{"gap", 0.75, 0.05, 0.1, 1}, a_look{"A", 0.12, 0.44, 0.92, 0.6},
+    b_look{"B", 0.85, 0.51, 0.17, 0.6}, asleep_look{"asleep", 0.63, 0.65, 0.68, 1},
     other_look{"bounds", 0.68, 0.71, 0.74, 1}, joint_look{"joint", 0.42, 0.3, 0.58, 1};
 
 const Look& look_of(DrawMeaning meaning, DrawLayer layer, bool kept) {
@@ -52,18 +54,22 @@ Polygons octahedron(double r) {
   return tessellate(shape, Posed{}, {}, 0);
 }
 
+/// Appends the faces of `part`, moved by `by`.
+void append_faces(Polygons& whole, const Polygons& part, const Vec3d& by = {}) {
+  const auto first = static_cast<std::uint32_t>(whole.points.size());
+  for (const Vec3d& p : part.points) whole.points.push_back(p + by);
+  for (const auto& loop : part.loops) {
+    whole.loops.push_back(loop);
+    for (std::uint32_t& v : whole.loops.back()) v += first;
+  }
+}
+
 /// An arrow from the origin along +Y.
 Polygons arrow_up(double length) {
   Polygons whole;
   const auto add = [&](double height, double bottom, double top, double middle) {
-    const auto first = static_cast<std::uint32_t>(whole.points.size());
     const Shaped solid = Cylinder<double>(height, bottom, top);
-    const Polygons part = tessellate(solid, Posed{{0, middle, 0}, {}}, {}, 0);
-    whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
-    for (const auto& loop : part.loops) {
-      whole.loops.push_back(loop);
-      for (std::uint32_t& v : whole.loops.back()) v += first;
-    }
+    append_faces(whole, tessellate(solid, Posed{{0, middle, 0}, {}}, {}, 0));
   };
   add(length * 0.75, length * 0.03, length * 0.03, length * 0.375);
   add(length * 0.25, length * 0.09, 0, length * 0.875);
@@ -75,6 +81,15 @@ Quatd turn_to(const Vec3d& direction) {
   if (direction.y < -0.999999) return {1, 0, 0, 0};
   return normalized(Quatd{direction.z, 0, -direction.x, 1 + direction.y});
 }
+
+/// The thin solid that stands for a line.
+Polygons rod(const Vec3d& from, const Vec3d& to, double radius) {
+  const Posed middle{(from + to) * 0.5, turn_to(normalized(to - from))};
+  return tessellate(Shaped(Cylinder<double>(length(to - from), radius, radius)), middle, {}, 0);
+}
+
+/// The radii of the solids that stand for points and for lines, in parts of the area.
+constexpr double dot_radius = 1.0 / 150, rod_radius = 1.0 / 400;
 
 /// Moves a surface outwards, so that it does not flicker against another at the same place.
 void lift(Polygons& shape, double distance) {
@@ -104,6 +119,20 @@ void ModelWriter::place(const std::string& name, std::size_t mesh, const Posed& 
 
 void ModelWriter::mark(const std::string& name, const Vec3d& at) {
   model_.add_root({{"name", name}, {"translation", {at.x, at.y, at.z}}});
+}
+
+void thicken(Polygons& shape, double size) {
+  const auto thin = [](const std::vector<std::uint32_t>& loop) { return loop.size() < 3; };
+  const auto middle = std::stable_partition(shape.loops.begin(), shape.loops.end(), std::not_fn(thin));
+  const std::vector<std::vector<std::uint32_t>> loops(middle, shape.loops.end());
+  shape.loops.erase(middle, shape.loops.end());
+  for (const auto& loop : loops) {
+    const Vec3d from = shape.points[loop.front()], to = shape.points[loop.back()];
+    if (from == to)
+      append_faces(shape, octahedron(size * dot_radius), from);
+    else
+      append_faces(shape, rod(from, to, size * rod_radius));
+  }
 }
 
 std::optional<std::size_t> ModelWriter::mesh(const std::string& name, const Polygons& shape, const Look& look) {
@@ -160,7 +189,7 @@ void GltfDraw::place(const Polygons& shape, const Look& look, const Posed& pose)
 }
 
 void GltfDraw::point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) {
-  place(octahedron(area().size / 150), look_of(meaning, layer, kept_), {at, {}});
+  place(octahedron(area().size * dot_radius), look_of(meaning, layer, kept_), {at, {}});
 }
 
 void GltfDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) {
@@ -169,11 +198,9 @@ void GltfDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer,
 
 /// Draws a line as a thin rod.
 void GltfDraw::line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) {
-  const double way = length(to - from), thickness = area().size / 400;
-  if (!(way > 0)) return;
-  const Posed middle{(from + to) * 0.5, turn_to(normalized(to - from))};
+  if (!(length(to - from) > 0)) return;
   const Look& look = look_of(meaning, layer, kept_);
-  writer_.add(look.name, tessellate(Shaped(Cylinder<double>(way, thickness, thickness)), middle, {}, 0), look);
+  writer_.add(look.name, rod(from, to, area().size * rod_radius), look);
 }
 
 void GltfDraw::triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) {
@@ -186,7 +213,9 @@ void GltfDraw::text(const Vec3d& at, std::string_view words, DrawLayer, DrawMean
 
 void GltfDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) {
   const Look& look = look_of(meaning, layer, kept_);
-  writer_.add(layer == DrawLayer::casts ? look.name : name_, shape, look);
+  Polygons solid = shape;
+  thicken(solid, area().size);
+  writer_.add(layer == DrawLayer::casts ? look.name : name_, solid, look);
 }
 
 Aabbd extent(const Scene& scene) {

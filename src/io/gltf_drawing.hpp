@@ -20,6 +20,9 @@ struct Look {
 
 inline constexpr Look trigger_look{"trigger", 0.4, 0.7, 0.5, 0.3};
 
+/// Puts thin solids in the place of loops of one point or two, for a scene of that size: a mesh has only triangles.
+void thicken(Polygons& shape, double size);
+
 /// Writes polygons into a model.
 class ModelWriter {
  public:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -66,10 +67,49 @@ TEST(DebugDraw, FacesOfABoxEncloseItAndItsEdgesAreLines) {
   draw(drawn, Shaped(Box<double>({2, 4, 6})), Posed{{10, 20, 30}, {}}, DrawMeaning::a);
   EXPECT_EQ(drawn.triangles.size(), 12u);
   EXPECT_NEAR(sixfold_volume(drawn.triangles), 6 * 48.0, 1e-9);
-  EXPECT_EQ(drawn.lines.size(), 24u) << "each edge from both its faces";
+  EXPECT_EQ(drawn.lines.size(), 12u) << "each edge once, though two faces have it";
   EXPECT_EQ(count_of(drawn.triangles, DrawLayer::shapes, DrawMeaning::a), 12u);
   for (const DrawnPart& line : drawn.lines)
     EXPECT_TRUE(std::fmod(length(line.at[1] - line.at[0]), 2.0) == 0) << "no diagonal of a face is an edge";
+}
+
+TEST(DebugDraw, EdgesThatTrianglesOfAHeightFieldShareAreDrawnOnce) {
+  DrawRecorder drawn;
+  draw(drawn, Shaped(HeightField<double>(3, 2, {0, 0.1, 0.2, 0, 0.3, 0}, 1, 1)), Posed{});
+  EXPECT_EQ(drawn.triangles.size(), 4u);
+  EXPECT_EQ(drawn.lines.size(), 9u) << "four along X, three along Z, and two diagonals";
+}
+
+TEST(DebugDraw, ShapesWithoutThicknessAreLinesAndPoints) {
+  const auto expect = [](const auto& shape, std::size_t lines, std::size_t points, const char* what) {
+    using T = std::decay_t<decltype(shape.rounding())>;
+    const Pose<T> pose{{T(1), T(2), T(3)}, normalized(Quat<T>{T(0.1), T(0.2), T(0.3), T(0.9)})};
+    DrawRecorder drawn;
+    draw(drawn, shape, pose, DrawMeaning::a);
+    EXPECT_EQ(drawn.triangles.size(), 0u) << what;
+    EXPECT_EQ(count_of(drawn.lines, DrawLayer::shapes, DrawMeaning::a), lines) << what;
+    EXPECT_EQ(count_of(drawn.points, DrawLayer::shapes, DrawMeaning::a), points) << what;
+    for (const auto* parts : {&drawn.lines, &drawn.points})
+      for (const DrawnPart& part : *parts)
+        for (const Vec3d& p : part.at)
+          EXPECT_NEAR(double(closest(shape, pose, converted<T>(p)).distance), 0, 2e-6) << what;
+  };
+  const auto each = [&]<class T>(T) {
+    expect(Shape<T>(LineSegment<T>({T(-1), T(0), T(0)}, {T(1), T(0), T(0)})), 1, 0, "segment");
+    expect(Shape<T>(ConvexHull<T>(std::vector<Vec3<T>>{{T(-1), T(0), T(0)}, {T(1), T(1), T(0)}})), 1, 0, "hull of two");
+    expect(Shape<T>(Box<T>({T(1), T(0), T(0)})), 1, 0, "box with one side");
+    expect(Shape<T>(Capsule<T>(T(1), T(0), T(0))), 1, 0, "capsule without radius");
+    expect(Shape<T>(Cylinder<T>(T(1), T(0), T(0))), 1, 0, "cylinder without radius");
+    expect(Shape<T>(Ellipsoid<T>({T(0), T(2), T(0)})), 1, 0, "ellipsoid with one radius");
+    expect(Shape<T>(ConvexHull<T>(std::vector<Vec3<T>>{{T(1), T(0), T(0)}})), 0, 1, "hull of one");
+    expect(Shape<T>(Box<T>({T(0), T(0), T(0)})), 0, 1, "box without sides");
+    expect(Shape<T>(Sphere<T>(T(0))), 0, 1, "sphere without radius");
+    expect(Shape<T>(Compound<T>({{Shape<T>(LineSegment<T>({T(-1), T(0), T(0)}, {T(1), T(0), T(0)})), {}},
+                                 {Shape<T>(Sphere<T>(T(0))), {{T(0), T(1), T(0)}, {}}}})),
+           1, 1, "compound of thin shapes");
+  };
+  each(float{});
+  each(double{});
 }
 
 TEST(DebugDraw, EveryShapeHasFacesOnItsSurfaceInBothPrecisions) {
@@ -359,7 +399,8 @@ TEST(DebugDraw, AWorldOfThePlaneIsDrawnAtZero) {
   draw(drawn, world);
   EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, DrawMeaning::contact), 2u);
   EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, DrawMeaning::bounds), 4u);
-  for (const auto* parts : {&drawn.points, &drawn.triangles})
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::tree, DrawMeaning::bounds), 4u) << "the box of the only body with bounds";
+  for (const auto* parts : {&drawn.points, &drawn.lines, &drawn.triangles})
     for (const DrawnPart& part : *parts)
       for (const Vec3d& p : part.at) EXPECT_EQ(p.z, 0);
 }
@@ -380,6 +421,12 @@ TEST(DebugDraw, ATreeShowsTheBoxesInItAndThoseAroundThem) {
   for (const DrawnPart& line : drawn.lines)
     for (const Vec3d& p : line.at) seen = merged(seen, p);
   EXPECT_TRUE(contains(seen, all));
+}
+
+TEST(DebugDraw, TheTwoShapesOfAQueryAreBlueAndOrange) {
+  const DrawColor a = suggested_color(DrawMeaning::a), b = suggested_color(DrawMeaning::b);
+  EXPECT_EQ((std::array{int(a.red), int(a.green), int(a.blue)}), (std::array{0x1f, 0x6f, 0xeb}));
+  EXPECT_EQ((std::array{int(b.red), int(b.green), int(b.blue)}), (std::array{0xd9, 0x82, 0x2b}));
 }
 
 TEST(DebugDraw, MeaningsThatStandBesideEachOtherHaveColoursOfTheirOwn) {
