@@ -52,11 +52,9 @@ void trace_segment_box(const Vec3d& half, const Segment<double>& segment, const 
     if (edge) name = name + "×" + segment_name;
     trace.axes.push_back({name, toward, -reach, reach, least(from, to), greatest(from, to)});
   });
-  const auto best = std::min_element(trace.axes.begin(), trace.axes.end(),
-                                     [](const TraceAxis& p, const TraceAxis& q) { return p.overlap() < q.overlap(); });
-  trace.winner = best->name;
-  trace.reason = best->name + (best->overlap() > 0 ? " has the least overlap" : " shows the widest gap of all axes");
 }
+
+bool overlaps_less(const TraceAxis& p, const TraceAxis& q) { return p.overlap() < q.overlap(); }
 
 /// Exchanges A and B in the axes.
 void mirror(std::vector<TraceAxis>& axes) {
@@ -93,25 +91,28 @@ double furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direc
   return static_cast<double>(dot(transform(pose, point), direction));
 }
 
-/// Writes the intervals of both shapes on every separating axis of the pair: boxes' fifteen, other polyhedra's faces
-/// and crossing edges, the six of a box and a segment. Nothing for other pairs.
+/// Puts a sentence before the reason that is there.
+void add_reason(const std::string& sentence, Trace& trace) {
+  trace.reason = trace.reason.empty() ? sentence : sentence + "; " + trace.reason;
+}
+
+/// Writes the intervals of both shapes, with their rounding, on every separating axis of the pair: boxes' fifteen,
+/// other polyhedra's faces and crossing edges, the six of a box and a segment. Nothing for other pairs. Returns the
+/// name of the axis along which the shapes overlap least.
 template <class T>
-void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace) {
+std::string explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                         Trace& trace) {
   const Posed frame_a = in_double(pose_a), frame_b = in_double(pose_b);
   const auto box_a = box_core(a), box_b = box_core(b);
   const auto segment_a = segment_core(a), segment_b = segment_core(b);
   const auto moved = [](const SegmentCore<double>& core, const Posed& pose) {
     return Segment<double>{transform(pose, core.segment.a), transform(pose, core.segment.b)};
   };
+  std::string best;
   if (has_separating_axes(a, b)) {
     const Posed b_in_a = relative(frame_a, frame_b);
     const PolyhedralPair pair(a, b, b_in_a);
-    const SeparatingAxis best = pair.all_axes().best(noise_of(a, b, b_in_a.translation));
-    const bool apart = best.separation > radius_of(a) + radius_of(b);
-    std::string reason = pair.name(best) + (apart ? " shows the widest gap of all axes" : " has the least overlap");
-    if (!trace.reason.empty()) reason += "; " + trace.reason;
-    trace.reason = reason;
-    if (trace.winner.empty()) trace.winner = pair.name(best);
+    best = pair.name(pair.all_axes().best(noise_of(a, b, b_in_a.translation)));
     for (const auto& [axis, a_lower, a_upper, b_lower, b_upper] : pair.intervals())
       trace.axes.push_back({pair.name(axis), axis.normal, a_lower, a_upper, b_lower, b_upper});
     move(trace.axes, frame_a);
@@ -124,15 +125,66 @@ void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
     move(trace.axes, frame_b);
   }
   widen(trace.axes, radius_of(a), radius_of(b));
+  if (best.empty() && !trace.axes.empty())
+    best = std::min_element(trace.axes.begin(), trace.axes.end(), overlaps_less)->name;
+  return best;
 }
 
 /// Writes the axis of the answer, "normal", for any pair.
 template <class T>
 void explain_normal(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                     const Vec3<T>& normal, Trace& trace) {
-  if (trace.winner.empty()) trace.winner = "normal";
   trace.axes.push_back({"normal", converted<double>(normal), -furthest(a, pose_a, -normal), furthest(a, pose_a, normal),
                         -furthest(b, pose_b, -normal), furthest(b, pose_b, normal)});
+}
+
+/// The overlap along an axis, and the rounding that numbers in T leave in it.
+struct ShownOverlap {
+  double overlap, rounding;
+};
+template <class T>
+ShownOverlap shown_overlap(const TraceAxis& axis) {
+  double greatest_end = 0;
+  for (const double end : {axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper})
+    if (std::isfinite(end)) greatest_end = greatest(greatest_end, std::abs(end));
+  // An end is a product with a unit vector, which is rounded itself, in a frame that is.
+  constexpr double roundings = 16;
+  return {axis.overlap(), roundings * static_cast<double>(std::numeric_limits<T>::epsilon()) * greatest_end};
+}
+
+/// Names the axis that decided, and why: the best of the shapes' own, or "normal", the last one written, where the
+/// shapes overlap less along it than along any other. A winner that is named already stays.
+template <class T>
+void explain_winner(const std::string& best, bool apart, Trace& trace) {
+  const bool has_normal = !trace.axes.empty() && trace.axes.back().name == "normal";
+  std::string winner = best;
+  if (has_normal && !best.empty() && trace.winner.empty()) {
+    const auto own = std::find_if(trace.axes.begin(), trace.axes.end(), [&](auto& axis) { return axis.name == best; });
+    const ShownOverlap least = shown_overlap<T>(*own), along = shown_overlap<T>(trace.axes.back());
+    if (along.overlap < least.overlap - least.rounding - along.rounding) winner = "normal";
+  }
+  if (winner == "normal")
+    add_reason(
+        "corners or round sides are nearest to each other: no axis of their faces or edges is the way between them",
+        trace);
+  else if (!winner.empty())
+    add_reason(winner + (apart ? " shows the widest gap of all axes" : " has the least overlap"), trace);
+  if (trace.winner.empty()) trace.winner = !winner.empty() ? winner : has_normal ? "normal" : "";
+}
+
+/// Writes the normal of the distance for shapes that are apart though all axes show an overlap, and names the winner.
+template <class T>
+void explain_winner_without_normal(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                   const std::string& best, Trace& trace) {
+  if (best.empty()) return;
+  const auto least = std::min_element(trace.axes.begin(), trace.axes.end(), overlaps_less);
+  bool apart = least->overlap() < 0;
+  if (!apart) {
+    const Distance<T> nearest = convex_distance(a, pose_a, b, pose_b);
+    apart = nearest.distance > T(0);
+    if (apart) explain_normal(a, pose_a, b, pose_b, nearest.normal, trace);
+  }
+  explain_winner<T>(best, apart, trace);
 }
 
 /// Exchanges A and B in the steps of GJK and EPA.
@@ -221,14 +273,16 @@ template <class T>
 void explain_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                       const Distance<T>& answer, Trace& trace) {
   in_order(a, pose_a, b, pose_b, trace, [&](const auto&... pair) { explain_ordered_distance(pair..., answer, trace); });
-  explain_axes(a, pose_a, b, pose_b, trace);
+  const std::string best = explain_axes(a, pose_a, b, pose_b, trace);
   explain_normal(a, pose_a, b, pose_b, answer.normal, trace);
+  explain_winner<T>(best, answer.distance > T(0), trace);
 }
 
 template <class T>
 void explain_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace) {
   in_order(a, pose_a, b, pose_b, trace, [&](const auto&... pair) { explain_ordered_overlap(pair..., trace); });
-  explain_axes(a, pose_a, b, pose_b, trace);
+  const std::string best = explain_axes(a, pose_a, b, pose_b, trace);
+  explain_winner_without_normal(a, pose_a, b, pose_b, best, trace);
 }
 
 template <class T>
@@ -241,9 +295,11 @@ void explain_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
     in_order(a, pose_a, b, pose_b, trace,
              [&](const auto&... pair) { explain_ordered_distance(pair..., nearest, trace); });
   }
-  explain_axes(a, pose_a, b, pose_b, trace);
-  if (answer.points.empty()) return;
+  const std::string best = explain_axes(a, pose_a, b, pose_b, trace);
+  if (answer.points.empty()) return explain_winner_without_normal(a, pose_a, b, pose_b, best, trace);
   explain_normal(a, pose_a, b, pose_b, answer.normal, trace);
+  const auto apart = [](const ContactPoint<T>& p) { return p.distance > T(0); };
+  explain_winner<T>(best, std::all_of(answer.points.begin(), answer.points.end(), apart), trace);
   explain_faces(a, pose_a, b, pose_b, answer, trace);
 }
 
