@@ -87,6 +87,35 @@ bool closed_form(const Core<T>& a, const Core<T>& b) {
   return simple(a) && simple(b);
 }
 
+template <class T>
+bool has_one_sided_chain(const Shape<T>& shape) {
+  if (const auto* chain = shape.template as<Chain<T>>()) return chain->sides() != ChainSides::both;
+  const auto* compound = shape.template as<Compound<T>>();
+  return compound && std::any_of(compound->children().begin(), compound->children().end(),
+                                 [](const Placed<T>& child) { return has_one_sided_chain(child.shape); });
+}
+
+/// Names the axis that decided: the edge's whose overlap is the answer, or the normal.
+void explain_winner(const Distance<double>& answer, double size, Trace& trace) {
+  const auto best = std::min_element(trace.axes.begin(), trace.axes.end(),
+                                     [](const TraceAxis& p, const TraceAxis& q) { return p.overlap() < q.overlap(); });
+  // The axis of an edge is the answer's normal within some roundings, or corners are nearest.
+  const double rounding = 1e-9 * (size + std::abs(answer.distance));
+  const auto decides = [&](const TraceAxis& axis) { return std::abs(axis.overlap() + answer.distance) <= rounding; };
+  trace.winner = "normal";
+  trace.reason = "corners or round sides are nearest to each other: no edge's normal is the way between them";
+  if (best == trace.axes.end()) return;
+  if (decides(*best)) {
+    trace.winner = best->name;
+    trace.reason = best->name + (best->overlap() >= 0 ? " has the least overlap" : " shows the widest gap of all axes");
+  } else if (best->overlap() < -answer.distance) {
+    const auto way = std::find_if(trace.axes.begin(), trace.axes.end(), decides);
+    if (way != trace.axes.end()) trace.winner = way->name;
+    trace.reason = (way != trace.axes.end() ? way->name : "the normal") +
+                   " leads out of the whole: along axes on which these pieces overlap less, others are in the way";
+  }
+}
+
 }  // namespace
 
 template <class T>
@@ -113,22 +142,19 @@ Trace explained(const LeafPair<T>& pair, const Distance<double>& answer) {
     trace.reason = "the half-planes are not opposite: they overlap without end";
     return trace;
   }
-  const auto best = std::min_element(trace.axes.begin(), trace.axes.end(),
-                                     [](const TraceAxis& p, const TraceAxis& q) { return p.overlap() < q.overlap(); });
-  const double size = pair.size() + std::abs(answer.distance);
-  // The axis of an edge is the answer's normal within some roundings, or corners are nearest.
-  constexpr double same = 1e-9;
-  if (best != trace.axes.end() && std::abs(best->overlap() + answer.distance) <= same * size) {
-    trace.winner = best->name;
-    trace.reason = best->name + (best->overlap() >= 0 ? " has the least overlap" : " shows the widest gap of all axes");
-  } else {
-    trace.winner = "normal";
-    trace.reason = "corners or round sides are nearest to each other: no edge's normal is the way between them";
-  }
+  explain_winner(answer, pair.size(), trace);
   add_axis(pair, "normal", answer.normal, trace);
   return trace;
 }
 
+template <class T>
+void explain_missing_contacts(const Shape<T>& a, const Shape<T>& b, Trace& trace) {
+  if (has_one_sided_chain(a) || has_one_sided_chain(b))
+    trace.reason += "; no contacts: a chain of one side lets through what comes from behind";
+}
+
+template void explain_missing_contacts(const Shape<float>&, const Shape<float>&, Trace&);
+template void explain_missing_contacts(const Shape<double>&, const Shape<double>&, Trace&);
 template Trace explained(const LeafPair<float>&, const Distance<double>&);
 template Trace explained(const LeafPair<double>&, const Distance<double>&);
 

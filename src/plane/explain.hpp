@@ -14,6 +14,10 @@ namespace graze::plane {
 template <class T>
 Trace explained(const LeafPair<T>& pair, const Distance<double>& answer);
 
+/// Adds why shapes that overlap have no contacts.
+template <class T>
+void explain_missing_contacts(const Shape<T>& a, const Shape<T>& b, Trace& trace);
+
 /// The outline of the Minkowski difference of two bounded cores in the world, counter-clockwise; of curved ones
 /// sampled.
 template <class T>

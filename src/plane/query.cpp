@@ -137,6 +137,20 @@ Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, co
   return best;
 }
 
+template <class T>
+bool all_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
+                  Manifolds<T>& manifolds) {
+  if (const auto known = special_contacts(a, pose_a, b, pose_b, margin, manifolds)) return *known;
+  if (!is_convex(a) || !is_convex(b)) return contacts_beside(a, pose_a, b, pose_b, margin, manifolds, {}, {});
+  bool overlaps = false;
+  with_convex_pair(a, pose_a, b, pose_b, double(margin), [&](const LeafPair<T>& pair) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
+    overlaps = add_manifold(pair, b_in_a, found, double(margin), manifolds);
+  });
+  return overlaps;
+}
+
 }  // namespace
 
 template <class T>
@@ -160,15 +174,11 @@ Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
 template <class T>
 bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace) {
-  if (trace) smallest(a, pose_a, b, pose_b, trace);
-  if (const auto known = special_contacts(a, pose_a, b, pose_b, margin, manifolds)) return *known;
-  if (!is_convex(a) || !is_convex(b)) return contacts_beside(a, pose_a, b, pose_b, margin, manifolds, {}, {});
-  bool overlaps = false;
-  with_convex_pair(a, pose_a, b, pose_b, double(margin), [&](const LeafPair<T>& pair) {
-    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
-    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
-    overlaps = add_manifold(pair, b_in_a, found, double(margin), manifolds);
-  });
+  if (!trace) return all_contacts(a, pose_a, b, pose_b, margin, manifolds);
+  smallest(a, pose_a, b, pose_b, trace);
+  const std::size_t before = manifolds.size();
+  const bool overlaps = all_contacts(a, pose_a, b, pose_b, margin, manifolds);
+  if (overlaps && manifolds.size() == before) explain_missing_contacts(a, b, *trace);
   return overlaps;
 }
 
