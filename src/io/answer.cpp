@@ -7,6 +7,7 @@
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 #include "io/bounded_answer.hpp"
+#include "io/finite_depth.hpp"
 #include "io/trace_writer.hpp"
 
 namespace graze::io {
@@ -21,8 +22,7 @@ void write_distance(const Question<T>& q, Trace* trace, JsonWriter& out) {
     return;
   }
   const Distance<T> d = distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, trace);
-  if (d.status == Status::unbounded)
-    throw InvalidValue("a, b", "shapes of finite depth", "two half-spaces that are not opposite");
+  require_finite_depth(d.status);
   out.key("distance").number(d.distance).key("normal").vector(d.normal);
   out.key("a").vector(d.a).key("b").vector(d.b);
   write_bounded(d.status == Status::converged, d.error, out);

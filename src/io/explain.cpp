@@ -2,6 +2,7 @@
 
 #include "io/answer.hpp"
 #include "io/convert.hpp"
+#include "io/finite_depth.hpp"
 #include "io/plane_answer.hpp"
 #include "io/response.hpp"
 
@@ -82,7 +83,9 @@ void ask_contacts(const Question<T>& q, Explanation& e) {
 
 template <class T>
 void ask_distance(const Question<T>& q, Explanation& e) {
-  e.distance = widened(distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, &e.trace));
+  const Distance<T> d = distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, &e.trace);
+  require_finite_depth(d.status);
+  e.distance = widened(d);
   e.overlap = e.distance->distance <= 0;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "io/bounded_answer.hpp"
+#include "io/finite_depth.hpp"
 #include "io/trace_writer.hpp"
 
 namespace graze::io {
@@ -23,8 +24,7 @@ JsonWriter& write_flat(JsonWriter& out, const char* key, const plane::Vec2<T>& v
 template <class T>
 void write_plane_distance(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) {
   const plane::Distance<T> d = plane::distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, trace);
-  if (d.status == Status::unbounded)
-    throw InvalidValue("a, b", "shapes of finite depth", "two half-spaces that are not opposite");
+  require_finite_depth(d.status);
   if (q.limit && d.distance > *q.limit) {
     out.key("beyond").value(true);
     return;
@@ -165,6 +165,7 @@ void explain_in_plane(const PlaneQuestion<T>& q, Explanation& e) {
     e.overlap = plane::overlap(a.shape, a.pose, b.shape, b.pose, &e.trace);
   } else if (q.query == QueryKind::distance) {
     const plane::Distance<T> d = plane::distance(a.shape, a.pose, b.shape, b.pose, &e.trace);
+    require_finite_depth(d.status);
     e.distance = widened_flat(d.distance, d.normal, d.a, d.b, d.status, d.error);
     e.overlap = d.distance <= T(0);
   } else {
