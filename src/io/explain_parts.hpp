@@ -7,8 +7,9 @@
 namespace graze::io {
 
 inline constexpr double page_margin = 28, head_height = 64;
-/// The place of the shapes.
-inline constexpr Panel shapes_panel{page_margin, head_height + 8, 520, picture_height - head_height - page_margin - 16};
+/// The place of the shapes, with room above and below for their letters.
+inline constexpr Panel shapes_panel{page_margin, head_height + 16, 520,
+                                    picture_height - head_height - page_margin - 36};
 /// The place of the list: names, bars and numbers.
 inline constexpr double list_x = 590, name_width = 138, bars_x = list_x + name_width, bars_width = 138, number_x = 936;
 inline constexpr std::size_t most_rows = 20;
@@ -47,6 +48,10 @@ class AxisDrawing {
 
 /// The two lines at the top: the outcome and the method.
 std::string headline(const Explanation& e);
+
+/// The letters of both shapes, each just outside of its shape, where that is furthest away from the other. A shape
+/// without points has none.
+std::string draw_letters(const View& view, const Polygons& a, const Polygons& b);
 
 /// A bar of a list.
 std::string bar(double x0, double x1, double y, const Color& color);

@@ -202,7 +202,7 @@ std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
   if (ray) out += draw_ray(*e.ray, *ray, view);
   if (e.cast) out += draw_ways(e, drawn, view);
   if (flat) out += draw_features(e, drawn, view, a, b);
-  out += draw_points(e, view);
+  out += draw_points(e, view) + draw_letters(view, a, b);
   if (inset) out += draw_inset(view, *axis, *place);
   const std::string projections = flat ? draw_projections(e, a, b, bottom) : "";
   if (!e.trace.steps.empty())

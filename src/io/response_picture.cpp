@@ -97,7 +97,7 @@ class BlowScene {
     for (const bool b : {false, true})
       if (!is_ground(b)) out += names(view, b, labels);
     if (blow_.result.impulse != Vec3d{}) out += labels.at(view.x(impulse_tip()), view.y(impulse_tip()), "impulse on B");
-    return out;
+    return out + draw_letters(view, seen(false), seen(true));
   }
 
  private:
@@ -112,6 +112,14 @@ class BlowScene {
   bool is_ground(bool b) const { return !bodies_.has(b) && !mass(b).movable(); }
   Vec3d ground_direction() const { return normalized(cross(toward_, blow_.contact.normal)); }
   Polygons polygons(bool b) const { return bodies_.polygons(b, 0, point(), 0.7 * size_); }
+
+  /// What the picture shows of a body: its shape, or its centre; nothing of the ground.
+  Polygons seen(bool b) const {
+    if (bodies_.has(b)) return polygons(b);
+    Polygons dot;
+    if (!is_ground(b)) dot.points.push_back(center(b));
+    return dot;
+  }
 
   /// Gathers the points of the bodies that have to be seen, and measures them.
   void fit() {

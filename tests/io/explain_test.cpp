@@ -47,14 +47,81 @@ TEST(Explain, EveryPairHasItsTextAndItsPicture) {
         }
 }
 
+/// The axis that is named as the winner, if there is one.
+const TraceAxis* winner_of(const Explanation& e) {
+  const auto at = std::find_if(e.trace.axes.begin(), e.trace.axes.end(),
+                               [&](const TraceAxis& axis) { return axis.name == e.trace.winner; });
+  return at == e.trace.axes.end() ? nullptr : &*at;
+}
+
 TEST(Explain, TheWinnersOverlapIsTheDepth) {
   for (const int away : {0, 1, 2, 3}) {
     const Explanation e = explain(question("distance", shapes[3], shapes[8], 0.1 * away), Precision::double_precision);
     if (!e.overlap) continue;
-    const auto winner = std::find_if(e.trace.axes.begin(), e.trace.axes.end(),
-                                     [&](const TraceAxis& axis) { return axis.name == e.trace.winner; });
-    ASSERT_NE(winner, e.trace.axes.end());
+    const TraceAxis* winner = winner_of(e);
+    ASSERT_NE(winner, nullptr);
     EXPECT_NEAR(winner->overlap(), -e.distance->distance, 1e-9);
+  }
+}
+
+// Rounding counts for the choice as for the intervals, and the answer's own normal is one of the axes.
+TEST(Explain, TheReasonSaysWhatTheTableShows) {
+  const auto says = [](const Explanation& e, const char* words) {
+    return e.trace.reason.find(words) != std::string::npos;
+  };
+  int corners = 0, gaps = 0, overlaps = 0;
+  for (const char* a : shapes)
+    for (const char* b : shapes)
+      for (const char* query : {"overlap", "distance", "contacts"})
+        for (const double away : {0.3, 0.9, 1.44, 4.0}) {
+          if (query != std::string("overlap") && a == b && a == shapes[5]) continue;  // two half-spaces have no depth
+          const std::string asked = question(query, a, b, away);
+          const Explanation e = explain(asked, Precision::double_precision);
+          const TraceAxis* winner = winner_of(e);
+          if (!winner || says(e, "nearly as good")) continue;
+          if (says(e, "corners or round sides")) {
+            ++corners;
+            EXPECT_EQ(e.trace.winner, "normal") << asked;
+          } else if (!says(e, "widest gap") && !says(e, "least overlap")) {
+            continue;  // of pairs without axes of their own
+          }
+          for (const TraceAxis& axis : e.trace.axes)
+            EXPECT_LE(winner->overlap(), axis.overlap() + 1e-9) << asked << ": " << axis.name;
+          if (says(e, "corners or round sides")) continue;
+          EXPECT_EQ(says(e, "least overlap"), e.overlap) << asked;
+          ++(e.overlap ? overlaps : gaps);
+        }
+  EXPECT_GT(corners, 10);
+  EXPECT_GT(gaps, 50);
+  EXPECT_GT(overlaps, 50);
+}
+
+TEST(Explain, BothShapesOfAPictureAreLabelled) {
+  for (const std::string query : {"distance", "contacts"})
+    for (const double away : {0.0, 0.9, 4.0}) {
+      const std::string picture = draw_explanation(
+          explain(question(query, shapes[3], shapes[1], away), Precision::double_precision), {1, 1, 1});
+      EXPECT_NE(picture.find(">A</text>"), picture.rfind(">A</text>")) << "beside the shape and over the list";
+      EXPECT_NE(picture.find(">B</text>"), picture.rfind(">B</text>"));
+    }
+}
+
+TEST(Explain, ShapesWithoutThicknessAreSeen) {
+  const std::string needle = R"({"shape": {"type": "convex", "convex": {"points": [[-1, 0, 0], [1, 0, 0]]}}})";
+  const Explanation e =
+      explain(R"({"query": "raycast", "a": )" + needle + R"(, "ray": {"origin": [0, 1, 0], "direction": [0, -1, 0]}})",
+              Precision::double_precision);
+  const std::string blue = R"(stroke="#1f6feb" stroke-width="2.4")";
+  EXPECT_NE(draw_explanation(e, {1, 0.6, 1.4}).find(blue), std::string::npos);
+}
+
+TEST(Explain, HalfSpacesThatOverlapWithoutEndHaveNoDistanceToExplain) {
+  for (const char* turned : {R"("rotation": [1, 0, 0, 1]}})", R"("rotation": 1}, "dimension": 2})"}) {
+    const std::string asked =
+        R"({"query": "distance", "a": {"shape": {"type": "plane"}}, "b": {"shape": {"type": "plane"}, )" +
+        std::string(turned);
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision})
+      EXPECT_THROW(explain(asked, precision), InvalidValue) << asked;
   }
 }
 

@@ -121,6 +121,71 @@ TEST(PlaneExplain, EveryShapeHasItsPicture) {
         }
 }
 
+/// The value of an attribute of an element of a picture.
+double attribute(const std::string& element, const std::string& name) {
+  return std::stod(element.substr(element.find(" " + name + "=\"") + name.size() + 3));
+}
+
+TEST(PlaneExplain, TheCircleOfTheRoundingIsInThePicture) {
+  for (const char* radii : {"0.5 0.5", "0.1 2", "1e-6 1e6"}) {
+    const std::string two = radii, first = two.substr(0, two.find(' ')), second = two.substr(two.find(' ') + 1);
+    const Explanation e =
+        explain(fmt::format(R"({{"query": "overlap", "dimension": 2, "a": {{"shape": {{"type": "circle",
+            "circle": {{"radius": {}}}}}}}, "b": {{"shape": {{"type": "box", "box": {{"size": [1, 1]}}, "margin": {}}},
+            "translation": [0.15, 0.45], "rotation": 0.4}}}})",
+                            first, second),
+                Precision::double_precision);
+    const std::string picture = draw_explanation(e, {0, 0, 1});
+    const std::size_t dashes = picture.find("stroke-dasharray", picture.find("Minkowski difference"));
+    ASSERT_NE(dashes, std::string::npos) << radii;
+    const std::string circle = picture.substr(picture.rfind('<', dashes));
+    ASSERT_TRUE(circle.starts_with("<circle")) << radii;
+    const double x = attribute(circle, "cx"), y = attribute(circle, "cy"), r = attribute(circle, "r");
+    EXPECT_GE(x - r, 0) << radii;
+    EXPECT_GE(y - r, 600) << "below the shapes, " << radii;
+    EXPECT_LE(y + r, attribute(picture, "height")) << radii;
+    EXPECT_LE(x + r, 350) << "left of the steps, " << radii;
+  }
+}
+
+TEST(PlaneExplain, AOneSidedChainSaysWhyItHasNoContacts) {
+  const auto asked = [](const char* points) {
+    return explain(fmt::format(R"({{"query": "contacts", "dimension": 2, "margin": 0.05,
+        "a": {{"shape": {{"type": "chain", "chain": {{"points": {}, "sides": "one"}}}}}},
+        "b": {{"shape": {{"type": "box", "box": {{"size": [1, 0.7]}}}}, "translation": [0, 0.25]}}}})",
+                               points),
+                   Precision::double_precision);
+  };
+  const Explanation front = asked("[[2, 0], [-2, 0]]"), behind = asked("[[-2, 0], [2, 0]]");
+  ASSERT_TRUE(front.overlap && behind.overlap);
+  ASSERT_NE(front.manifolds.empty(), behind.manifolds.empty());
+  for (const Explanation* e : {&front, &behind})
+    EXPECT_EQ(e->trace.reason.find("a chain of one side") != std::string::npos, e->manifolds.empty());
+}
+
+TEST(PlaneExplain, TheWayOutOfAPolygonIsNotThatOfItsPieces) {
+  const std::string polygon =
+      R"({"type": "polygon", "polygon": {"points": [[-1, -1], [1, -1], [1, 1], [0, 0], [-1, 1]]}})";
+  int whole = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Explanation e =
+        explain(fmt::format(R"({{"query": "distance", "dimension": 2, "a": {{"shape": {}}}, "b": {{"shape": {},
+            "translation": [{}, {}], "rotation": {}}}}})",
+                            polygon, polygon, 0.02 * i, 0.03 * i - 0.4, 0.15 * i),
+                Precision::double_precision);
+    double least = 1e300, named = 1e300;
+    for (const TraceAxis& axis : e.trace.axes) {
+      least = std::min(least, axis.overlap());
+      if (axis.name == e.trace.winner) named = axis.overlap();
+    }
+    ASSERT_LT(named, 1e300);
+    const bool others = e.trace.reason.find("others are in the way") != std::string::npos;
+    EXPECT_EQ(others, named > least + 1e-8) << e.trace.reason;
+    whole += others ? 1 : 0;
+  }
+  EXPECT_GT(whole, 5);
+}
+
 TEST(PlaneExplain, BoxesAreDrawnOnAllFourAxes) {
   const Explanation e = explain(
       R"({"query": "contacts", "dimension": 2, "a": {"shape": {"type": "box", "box": {"size": [2, 2]}}},
