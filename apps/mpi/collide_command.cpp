@@ -26,9 +26,14 @@ struct CollideArguments {
   SceneOptions scene;
   std::string precision = "double", contacts, svg;
   double margin = 0;
-  std::optional<std::size_t> points;
+  std::string points;  ///< as it was given; empty where it was not
   std::vector<double> direction{1, 0.7, 1.2};
 };
+
+std::optional<std::size_t> points_of(const CollideArguments& options) {
+  if (options.points.empty()) return std::nullopt;
+  return checked_count("--points", options.points);
+}
 
 /// Whether a shape has data of its own, which a body takes along by number only.
 template <class T>
@@ -43,7 +48,7 @@ class Collision {
       : together_(together),
         scene_(scene),
         world_(together.comm(),
-               {.margin = static_cast<T>(options.margin), .allow = {}, .points_per_pair = options.points}) {
+               {.margin = static_cast<T>(options.margin), .allow = {}, .points_per_pair = points_of(options)}) {
     world_.share_from([&](std::uint64_t number) { return body(number).shape; });
     together_.alone([&] {
       scene_.each_own([&](std::uint64_t number) {
@@ -216,8 +221,10 @@ int run_collide(const CollideArguments& options) {
   together.alone([&] {
     checked_length("--margin", options.margin, precision);
     checked_direction(options.direction);
+    points_of(options);
     check_ending("--svg", options.svg, ".svg");
     check_ending("--contacts", options.contacts, ".jsonl");
+    check_output("--svg", options.svg, options.scene.files);
     if (mpi::rank_of(MPI_COMM_WORLD) != 0) return;
     for (const std::string& file : {options.svg, options.contacts})
       if (!file.empty()) io::check_writable(file);
@@ -245,10 +252,9 @@ Run add_collide(CLI::App& app) {
   CLI::App* command = app.add_subcommand("collide", "Find the contacts of a scene that ranks share");
   options->scene.add_to(*command, false);
   command->add_option("--margin", options->margin, "Also find what is up to this far apart")->capture_default_str();
-  command
-      ->add_option("--points", options->points,
-                   "At most so many points of contact a pair: the deepest, and those that span most; by default all")
-      ->check(CLI::PositiveNumber);
+  command->add_option(
+      "--points", options->points,
+      "At most so many points of contact a pair: the deepest, and those that span most; by default all");
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
