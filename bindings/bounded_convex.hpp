@@ -21,9 +21,8 @@ const Shape<T>& bounded_convex(const Shape<T>& shape) {
 
 template <class T>
 const plane::Shape<T>& bounded_convex(const plane::Shape<T>& shape) {
-  const bool bounded = !shape.template as<plane::HalfPlane<T>>() && !shape.template as<plane::Polygon<T>>() &&
-                       !shape.template as<plane::Chain<T>>() && !shape.template as<plane::Compound<T>>();
-  if (!bounded) validate::fail("shape", "a bounded convex shape", shape.name());
+  if (!shape.convex() || shape.template as<plane::HalfPlane<T>>())
+    validate::fail("shape", "a bounded convex shape", shape.name());
   return shape;
 }
 

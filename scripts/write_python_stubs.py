@@ -21,7 +21,7 @@ HEAD = '''"""Written by scripts/write_python_stubs.py from the module: do not ed
 
 import os
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Union, overload
+from typing import Any, Literal, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,10 +29,10 @@ from numpy.typing import ArrayLike, NDArray
 POSE_LIKE = 'PoseLike = Union["Pose", tuple[ArrayLike, ArrayLike], ArrayLike, None]\n'
 MARK = "# Written by scripts/write_python_stubs.py from the module: do not edit what follows.\n"
 PLANE_CLASSES = [
-    "StruckBody", "Blow", "FreeBody", "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
+    "Collider", "Scene", "StruckBody", "Blow", "FreeBody", "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
 PLANE_FUNCTIONS = [
     "along_lines", "cast_all", "draw_cast", "draw_joint", "draw_ray", "feature_corners", "pass_on", "pose_at", "raycast_all",
-    "raycast_any", "tessellate"]
+    "raycast_any", "tessellate", "load"]
 # What pybind11 calls things, and what they are called in Python.
 NAMES = [
     (r"\bgraze\.(_graze|plane)\.", ""),
@@ -50,6 +50,33 @@ NAMES = [
     (r"\bcapsule\b", "Any"),
     (r"\bos\.PathLike\b", "str | os.PathLike[str]"),
 ]
+# What the module returns as an object of no one type, since a question may be one of several forms.
+ANSWERS = {
+    "cast": "CastHit | None",
+    "cast_all": "list[CastHit]",
+    "closest": "Closest",
+    "collide": "list[tuple[int, int, list[Manifold]]]",
+    "contacts": "list[Manifold]",
+    "distance": "Distance",
+    "distance_up_to": "Distance | None",
+    "near_pieces": "list[tuple[int, int, Distance]]",
+    "overlap": "bool",
+    "raycast": "RayHit | None",
+    "raycast_all": "list[RayHit]",
+}
+RECORDS, FLAGS = "NDArray[np.void]", "NDArray[np.bool_]"
+BATCH_ANSWERS = {
+    "cast": RECORDS,
+    "closest": RECORDS,
+    "compact_contacts": f"tuple[{RECORDS}, {RECORDS}]",
+    "contacts": f"tuple[{RECORDS}, {RECORDS}, {RECORDS}]",
+    "distance": RECORDS,
+    "near_pieces": f"tuple[{RECORDS}, NDArray[np.uint64]]",
+    "overlap": FLAGS,
+    "raycast": RECORDS,
+    "raycast_any": FLAGS,
+}
+TRACED = "trace: Any = False"
 SIGNATURE = re.compile(r"^(?:\d+\. )?(\w+)\((.*)\) -> (.+)$")
 
 
@@ -92,7 +119,8 @@ def signatures(function):
     return [m for m in found if m and m.group(2) != "*args, **kwargs"]
 
 
-def functions(name, function, indent, bound):
+def functions(name, function, indent, bound, answers={}):
+    """The lines of a function; one that takes a trace also has a form that returns it beside the answer."""
     out = []
     found = signatures(function)
     for match in found:
@@ -102,7 +130,15 @@ def functions(name, function, indent, bound):
         static = bound and (not parts or parts[0] != "self")
         if static:
             out.append(f"{indent}@staticmethod")
-        out.append(f"{indent}def {name}({', '.join(parts)}) -> {type_of(match.group(3))}: ...")
+        answer = answers.get(name, type_of(match.group(3)))
+        if TRACED in parts:
+            with_trace = ", ".join(parts).replace(TRACED, "*, trace: Literal[True]")
+            out += [
+                f"{indent}@overload",
+                f"{indent}def {name}({with_trace}) -> tuple[{answer}, dict[str, Any]]: ...",
+                f"{indent}@overload",
+            ]
+        out.append(f"{indent}def {name}({', '.join(parts)}) -> {answer}: ...")
     return out
 
 
@@ -126,27 +162,27 @@ def class_lines(cls):
     return lines if len(lines) > 1 else [lines[0] + " ..."]
 
 
-def module_lines(module):
+def module_lines(module, answers):
     lines = []
     classes = [c for c in vars(module).values() if inspect.isclass(c)]
     for cls in sorted(classes, key=lambda c: (len(c.__mro__), c.__name__)):
         lines += class_lines(cls) + [""]
     for name, thing in sorted(vars(module).items()):
         if not name.startswith("_") and not inspect.isclass(thing) and callable(thing):
-            lines += functions(name, thing, "", False)
+            lines += functions(name, thing, "", False, answers)
     return "\n".join(lines) + "\n"
 
 
 def stubs():
     """The stubs as (file, text)."""
     space = HEAD + "\nfrom . import batch as batch\nfrom . import plane as plane\n\n" + POSE_LIKE
-    space += "\n__version__: str\n\n" + module_lines(_graze)
+    space += "\n__version__: str\n\n" + module_lines(_graze, ANSWERS)
     names = sorted(c.__name__ for c in vars(_graze).values() if inspect.isclass(c))
-    batch = HEAD + f"\nfrom . import {', '.join(names)}, PoseLike\n\n" + module_lines(_graze.batch)
+    batch = HEAD + f"\nfrom . import {', '.join(names)}, PoseLike\n\n" + module_lines(_graze.batch, BATCH_ANSWERS)
     file = PACKAGE / "plane" / "__init__.pyi"
     plane = file.read_text(encoding="utf-8").split(MARK)[0] + MARK
     plane += "".join("\n" + "\n".join(class_lines(getattr(_graze._plane, name))) + "\n" for name in PLANE_CLASSES)
-    functions_of_plane = [functions(name, getattr(_graze._plane, name), "", False) for name in PLANE_FUNCTIONS]
+    functions_of_plane = [functions(name, getattr(_graze._plane, name), "", False, ANSWERS) for name in PLANE_FUNCTIONS]
     plane += "\n" + "".join(line + "\n" for lines in functions_of_plane for line in lines)
     return [(PACKAGE / "__init__.pyi", space), (PACKAGE / "batch.pyi", batch), (file, plane)]
 

@@ -266,3 +266,36 @@ def test_batches_run_beside_other_threads():
     for thread in threads:
         thread.join()
     assert ticks > 100 and all(np.array_equal(a, expected) for a in answers)
+
+
+def test_near_pieces_of_many_pairs_are_those_of_each():
+    row = plane.Compound([(plane.Circle(0.5), (3 * i, 0)) for i in range(4)])
+    steps = plane.Chain([(0, 0), (1, 0), (1, 1), (2, 1)])
+    probe, places = plane.Box((1, 1)), [(0, 0.75), (3, 0.75), (50, 0)]
+    pieces, ends = plane.batch.near_pieces([row, steps, row], None, probe, places, 0.4)
+    begin = 0
+    for shape, place, end in zip([row, steps, row], places, ends):
+        alone = plane.near_pieces(shape, None, probe, place, 0.4)
+        assert [(a, b, d.distance) for a, b, d in alone] == [
+            (p["piece_a"], p["piece_b"], p["distance"]) for p in pieces[begin:end]
+        ]
+        begin = end
+    assert ends.tolist()[-1] == len(pieces) > 0
+    with pytest.raises(ValueError, match="margin"):
+        plane.batch.near_pieces(row, None, probe, places, -1)
+
+
+def test_mass_properties_are_the_closed_forms():
+    area, center, inertia = plane.Box((2, 1)).mass_properties()
+    assert area == 2 and center.tolist() == [0, 0]
+    assert inertia == pytest.approx(2 * (2**2 + 1) / 12, rel=1e-14)
+    area, _, inertia = plane.Circle(3).mass_properties()
+    assert area == pytest.approx(9 * np.pi, rel=1e-14) and inertia == pytest.approx(area * 9 / 2, rel=1e-14)
+    assert plane.HalfPlane().mass_properties()[0] == 0
+
+
+def test_convex_is_what_no_line_leaves_twice():
+    corners = [(0, 0), (1, 0), (0, 1)]
+    convex = [plane.Circle(1), plane.HalfPlane(), plane.ConvexPolygon(corners), plane.Segment((0, 0), (1, 0))]
+    assert all(shape.convex for shape in convex)
+    assert not any(s.convex for s in (plane.Polygon(corners), plane.Chain(corners), plane.Compound([(convex[0], None)])))

@@ -37,14 +37,16 @@ std::string text_of(const Vec3d& v) { return "[" + text_of(v.x) + ", " + text_of
 
 void add_distances(py::module_& m) {
   py::class_<Distance<double>>(m, "Distance", "A signed distance: b - a = distance * normal.")
-      .def_readonly("distance", &Distance<double>::distance)
+      .def_readonly("distance", &Distance<double>::distance,
+                    "A length; negative where the shapes overlap: minus the shortest way out.")
       .def_property_readonly("normal", vector_of(&Distance<double>::normal), "Unit, from a to b.")
       .def_property_readonly("a", vector_of(&Distance<double>::a), "On the surface of a, in the world.")
       .def_property_readonly("b", vector_of(&Distance<double>::b), "On the surface of b.")
       .def_property_readonly(
           "status", [](const Distance<double>& d) { return python::text_of(d.status); },
           "'converged', 'bounded' (right within `error`) or 'unbounded'.")
-      .def_readonly("error", &Distance<double>::error)
+      .def_readonly("error", &Distance<double>::error,
+                    "A bound of the difference from the truth, a length; 0 where the status is 'converged'.")
       .def("__float__", [](const Distance<double>& d) { return d.distance; })
       .def("__repr__",
            [](const Distance<double>& d) {
@@ -54,10 +56,14 @@ void add_distances(py::module_& m) {
                                      &Distance<double>::b, &Distance<double>::status, &Distance<double>::error));
   py::class_<Closest<double>>(m, "Closest", "A point of a surface: question - point = distance * normal.")
       .def_readonly("distance", &Closest<double>::distance, "Negative inside a solid.")
-      .def_property_readonly("point", vector_of(&Closest<double>::point))
+      .def_property_readonly("point", vector_of(&Closest<double>::point),
+                             "The nearest point of the surface, in the world.")
       .def_property_readonly("normal", vector_of(&Closest<double>::normal), "Unit, outward.")
-      .def_property_readonly("status", [](const Closest<double>& c) { return python::text_of(c.status); })
-      .def_readonly("error", &Closest<double>::error)
+      .def_property_readonly(
+          "status", [](const Closest<double>& c) { return python::text_of(c.status); },
+          "'converged', 'bounded' (right within `error`) or 'unbounded'.")
+      .def_readonly("error", &Closest<double>::error,
+                    "A bound of the difference from the truth, a length; 0 where the status is 'converged'.")
       .def("__repr__",
            [](const Closest<double>& c) {
              return "graze.Closest(" + text_of(c.distance) + ", point=" + text_of(c.point) + ")";
@@ -69,7 +75,8 @@ void add_distances(py::module_& m) {
 void add_hits(py::module_& m) {
   py::class_<RayHit<double>>(m, "RayHit", "Where a ray meets a shape.")
       .def_readonly("t", &RayHit<double>::t, "Along the ray, a length.")
-      .def_property_readonly("point", vector_of(&RayHit<double>::point))
+      .def_property_readonly("point", vector_of(&RayHit<double>::point),
+                             "On the surface, in the world; the origin of a ray that begins inside a solid.")
       .def_property_readonly("normal", vector_of(&RayHit<double>::normal), "Unit, against the ray.")
       .def_readonly("piece", &RayHit<double>::piece, "The triangle of a mesh or the child of a compound, else 0.")
       .def("__repr__",
@@ -79,13 +86,16 @@ void add_hits(py::module_& m) {
       .def(pickled<RayHit<double>>(&RayHit<double>::t, &RayHit<double>::point, &RayHit<double>::normal,
                                    &RayHit<double>::piece));
   py::class_<CastHit<double>>(m, "CastHit", "When and where two moving bodies first touch.")
-      .def_readonly("t", &CastHit<double>::t)
+      .def_readonly("t", &CastHit<double>::t, "The time of the first contact, from 0 to `duration`, in its unit.")
       .def_property_readonly("point", vector_of(&CastHit<double>::point), "In the world at time t.")
       .def_property_readonly("normal", vector_of(&CastHit<double>::normal), "Unit, from a to b.")
       .def_readonly("depth", &CastHit<double>::depth, "Of bodies that overlap from the start, else 0.")
-      .def_property_readonly("status", [](const CastHit<double>& h) { return python::text_of(h.status); })
-      .def_readonly("piece_a", &CastHit<double>::piece_a)
-      .def_readonly("piece_b", &CastHit<double>::piece_b)
+      .def_property_readonly(
+          "status", [](const CastHit<double>& h) { return python::text_of(h.status); },
+          "'converged', 'bounded' (right within `error`) or 'unbounded'.")
+      .def_readonly("piece_a", &CastHit<double>::piece_a,
+                    "The triangle of a mesh or the child of a compound that a touches with, else 0.")
+      .def_readonly("piece_b", &CastHit<double>::piece_b, "The same of b.")
       .def("__repr__",
            [](const CastHit<double>& h) {
              return "graze.CastHit(t=" + text_of(h.t) + ", point=" + text_of(h.point) + ")";
@@ -97,8 +107,8 @@ void add_hits(py::module_& m) {
 
 void add_contacts(py::module_& m) {
   py::class_<ContactPoint<double>>(m, "ContactPoint", "One point of contact: b - a = distance * normal.")
-      .def_property_readonly("a", vector_of(&ContactPoint<double>::a))
-      .def_property_readonly("b", vector_of(&ContactPoint<double>::b))
+      .def_property_readonly("a", vector_of(&ContactPoint<double>::a), "On the surface of a, in the world.")
+      .def_property_readonly("b", vector_of(&ContactPoint<double>::b), "On the surface of b, in the world.")
       .def_readonly("distance", &ContactPoint<double>::distance, "Negative is penetration.")
       .def_readonly("feature", &ContactPoint<double>::feature, "The same as long as the same features touch.")
       .def_property_readonly(
@@ -113,14 +123,20 @@ void add_contacts(py::module_& m) {
                                          &ContactPoint<double>::weight));
   py::class_<Manifold<double>>(m, "Manifold", "Points of contact that share a normal.")
       .def_property_readonly("normal", vector_of(&Manifold<double>::normal), "Unit, from a to b.")
-      .def_property_readonly("points",
-                             [](const Manifold<double>& manifold) {
-                               return list_of(manifold.points, [](const auto& p) { return py::cast(p); });
-                             })
-      .def_readonly("piece_a", &Manifold<double>::piece_a)
-      .def_readonly("piece_b", &Manifold<double>::piece_b)
-      .def_property_readonly("status", [](const Manifold<double>& x) { return python::text_of(x.status); })
-      .def_readonly("error", &Manifold<double>::error)
+      .def_property_readonly(
+          "points",
+          [](const Manifold<double>& manifold) {
+            return list_of(manifold.points, [](const auto& p) { return py::cast(p); });
+          },
+          "The points, a list of ContactPoint.")
+      .def_readonly("piece_a", &Manifold<double>::piece_a,
+                    "The triangle of a mesh or the child of a compound that a touches with, else 0.")
+      .def_readonly("piece_b", &Manifold<double>::piece_b, "The same of b.")
+      .def_property_readonly(
+          "status", [](const Manifold<double>& x) { return python::text_of(x.status); },
+          "'converged', 'bounded' (right within `error`) or 'unbounded'.")
+      .def_readonly("error", &Manifold<double>::error,
+                    "A bound of the difference from the truth, a length; 0 where the status is 'converged'.")
       .def(
           "reduce",
           [](Manifold<double>& manifold, const Whole& count) {

@@ -10,26 +10,6 @@ namespace {
 using Contacts = BatchContacts<double>;
 using Compact = CompactContacts<double>;
 
-/// The near pieces of all pairs, and where those of each pair end.
-struct Pieces {
-  std::vector<PieceDistance<double>> all;
-  std::vector<std::uint64_t> ends;
-};
-
-py::dtype piece_type() {
-  using P = PieceDistance<double>;
-  using D = Distance<double>;
-  constexpr std::size_t distance = offsetof(P, distance);
-  return record_type({{"piece_a", "u4", offsetof(P, piece_a)},
-                      {"piece_b", "u4", offsetof(P, piece_b)},
-                      {"distance", "f8", distance + offsetof(D, distance)},
-                      {"normal", "(3,)f8", distance + offsetof(D, normal)},
-                      {"a", "(3,)f8", distance + offsetof(D, a)},
-                      {"b", "(3,)f8", distance + offsetof(D, b)},
-                      {"status", "u1", distance + offsetof(D, status)},
-                      {"error", "f8", distance + offsetof(D, error)}},
-                     sizeof(P));
-}
 py::dtype pair_type() {
   using P = Contacts::Pair;
   return record_type({{"overlap", "?", offsetof(P, overlap)},
@@ -67,7 +47,9 @@ a, b: a Shape, a sequence of shapes or a ShapeArray (which need not be converted
 poses_a, poses_b: an array of shape (n, 7) of translations and unit quaternions (x, y, z, w),
 which is read where it stands; matrices of shape (n, 4, 4); a sequence of poses; or one pose.
 pairs: shape (m, 2), places in a and b; by default the first with the first and so on, or
-the single one of a side with all of the other. The interpreter's lock is released.)";
+the single one of a side with all of the other. The interpreter's lock is released. Raises ValueError
+that names the row for poses that are not finite or no rotations, for places that there are not, for
+numbers of bodies that do not fit, and for a margin or a duration that is negative.)";
 
 }  // namespace
 
@@ -136,29 +118,7 @@ void add_batches(py::module_& m) {
                    "pairs may come in another order than they were given in.") +
        batch_doc)
           .c_str());
-  batch.def(
-      "near_pieces",
-      [type = piece_type()](const py::object& a, const py::object& poses_a, const py::object& b,
-                            const py::object& poses_b, double margin, const py::object& pairs) {
-        const Question<SpaceBatch> question(a, poses_a, b, poses_b, pairs);
-        checked_reach(margin, "margin");
-        Pieces found = question.found<Pieces>([margin](const Batch<double>& asked, Pieces& pieces) {
-          for (std::size_t i = 0; i < asked.size(); ++i) {
-            const IdPair pair = asked[i];
-            near_pieces(asked.a().shape(pair.a), asked.a().pose(pair.a), asked.b().shape(pair.b),
-                        asked.b().pose(pair.b), margin, pieces.all);
-            pieces.ends.push_back(pieces.all.size());
-          }
-        });
-        return py::make_tuple(records(std::move(found.all), type), records(std::move(found.ends), py::dtype("u8")));
-      },
-      py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin"),
-      py::arg("pairs") = py::none(),
-      (std::string("The pairs of convex pieces within `margin` of each pair: (pieces, ends), an array of records with "
-                   "the fields piece_a, piece_b, distance, normal, a, b, status, error, and where those of each pair "
-                   "end in it.") +
-       batch_doc)
-          .c_str());
+  add_near_pieces<SpaceBatch>(batch, batch_doc);
   add_row_batches<SpaceBatch>(batch, batch_doc);
 }
 

@@ -81,10 +81,18 @@ struct MotionMethods {
             py::arg("shape"), py::arg("mass"), py::arg("pose") = py::none(), py::arg("linear") = VectorGiven{},
             py::arg("angular") = TurningGiven{},
             "With `mass` spread evenly in a shape that stands at `pose`; `linear` is that of the centre of mass.")
-        .def_property_readonly("linear", [](const Body& b) { return Words::object_of(b.motion.linear); })
-        .def_property_readonly("angular", [](const Body& b) { return Words::object_of(b.motion.angular); })
-        .def_property_readonly("center", [](const Body& b) { return Words::object_of(b.motion.center); })
-        .def_property_readonly("movable", [](const Body& b) { return b.mass.movable(); })
+        .def_property_readonly(
+            "linear", [](const Body& b) { return Words::object_of(b.motion.linear); },
+            "The velocity of the centre of mass.")
+        .def_property_readonly(
+            "angular", [](const Body& b) { return Words::object_of(b.motion.angular); },
+            "The rate of turning about the centre of mass, in radians.")
+        .def_property_readonly(
+            "center", [](const Body& b) { return Words::object_of(b.motion.center); },
+            "The centre of mass, in the world.")
+        .def_property_readonly(
+            "movable", [](const Body& b) { return b.mass.movable(); },
+            "Whether impulses change its motion: not so for a body of infinite mass.")
         .def("__repr__",
              [](const py::object& self) {
                const auto& b = self.cast<const Body&>();
@@ -207,14 +215,23 @@ struck, and `approach` how fast the fastest still is.)");
              }),
              py::arg("inertia"), py::arg("pose") = py::none(), py::arg("linear") = VectorGiven{},
              py::arg("angular") = TurningGiven{})
-        .def_property_readonly("pose",
-                               [](const Free& b) {
-                                 return typename Words::Pose{b.center, b.rotation};
-                               })
-        .def_property_readonly("linear", [](const Free& b) { return Words::object_of(b.linear); })
-        .def_property_readonly("angular", [](const Free& b) { return Words::object_of(angular_velocity(b)); })
-        .def_property_readonly("angular_momentum", [](const Free& b) { return Words::object_of(b.angular_momentum); })
-        .def_property_readonly("rotational_energy", [](const Free& b) { return rotational_energy(b); })
+        .def_property_readonly(
+            "pose",
+            [](const Free& b) {
+              return typename Words::Pose{b.center, b.rotation};
+            },
+            "The centre of mass and the principal axes, in the world.")
+        .def_property_readonly(
+            "linear", [](const Free& b) { return Words::object_of(b.linear); }, "The velocity of the centre of mass.")
+        .def_property_readonly(
+            "angular", [](const Free& b) { return Words::object_of(angular_velocity(b)); },
+            "The rate of turning about the centre of mass, in radians.")
+        .def_property_readonly(
+            "angular_momentum", [](const Free& b) { return Words::object_of(b.angular_momentum); },
+            "About the centre of mass, in the world's axes; what stays constant.")
+        .def_property_readonly(
+            "rotational_energy", [](const Free& b) { return rotational_energy(b); },
+            "The energy of turning, half of angular velocity times angular momentum.")
         .def("__repr__",
              [](const py::object& self) {
                return call_text(class_name(self),

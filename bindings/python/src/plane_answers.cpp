@@ -44,16 +44,19 @@ void add_contacts(py::module_& m) {
                                  &ContactPoint::weight));
   py::class_<Manifold>(m, "Manifold", "At most two points of contact that share a normal.")
       .def_property_readonly("normal", vector_of(&Manifold::normal), "Unit, from a to b.")
-      .def_property_readonly("points",
-                             [](const Manifold& manifold) {
-                               py::list points;
-                               for (const ContactPoint& p : manifold.points) points.append(py::cast(p));
-                               return points;
-                             })
+      .def_property_readonly(
+          "points",
+          [](const Manifold& manifold) {
+            py::list points;
+            for (const ContactPoint& p : manifold.points) points.append(py::cast(p));
+            return points;
+          },
+          "The points, a list of at most two ContactPoint.")
       .def_readonly("piece_a", &Manifold::piece_a, "The child or piece of a that touches, else 0.")
-      .def_readonly("piece_b", &Manifold::piece_b)
+      .def_readonly("piece_b", &Manifold::piece_b, "The same of b.")
       .def_property_readonly("status", status_of<Manifold>(), status_doc)
-      .def_readonly("error", &Manifold::error)
+      .def_readonly("error", &Manifold::error,
+                    "A bound of the difference from the truth, a length; 0 where the status is 'converged'.")
       .def(
           "reduce",
           [](Manifold& manifold, const Whole& count) { reduce(manifold, count.at_least<std::size_t>(1, "count")); },
@@ -70,12 +73,14 @@ void add_contacts(py::module_& m) {
 
 void add_plane_answers(py::module_& m) {
   py::class_<Distance>(m, "Distance", "A signed distance: b - a = distance * normal.")
-      .def_readonly("distance", &Distance::distance)
+      .def_readonly("distance", &Distance::distance,
+                    "A length; negative where the shapes overlap: minus the shortest way out.")
       .def_property_readonly("normal", vector_of(&Distance::normal), "Unit, from a to b.")
       .def_property_readonly("a", vector_of(&Distance::a), "On the surface of a, in the world.")
       .def_property_readonly("b", vector_of(&Distance::b), "On the surface of b.")
       .def_property_readonly("status", status_of<Distance>(), status_doc)
-      .def_readonly("error", &Distance::error)
+      .def_readonly("error", &Distance::error,
+                    "A bound of the difference from the truth, a length; 0 where the status is 'converged'.")
       .def("__float__", [](const Distance& d) { return d.distance; })
       .def("__repr__",
            [](const Distance& d) {
@@ -85,17 +90,19 @@ void add_plane_answers(py::module_& m) {
                              &Distance::error));
   py::class_<Closest>(m, "Closest", "A point of a surface: question - point = distance * normal.")
       .def_readonly("distance", &Closest::distance, "Negative inside a solid.")
-      .def_property_readonly("point", vector_of(&Closest::point))
+      .def_property_readonly("point", vector_of(&Closest::point), "The nearest point of the surface, in the world.")
       .def_property_readonly("normal", vector_of(&Closest::normal), "Unit, outward.")
       .def_property_readonly("status", status_of<Closest>(), status_doc)
-      .def_readonly("error", &Closest::error)
+      .def_readonly("error", &Closest::error,
+                    "A bound of the difference from the truth, a length; 0 where the status is 'converged'.")
       .def(
           "__repr__",
           [](const Closest& c) { return "graze.plane.Closest(" + text(c.distance) + ", point=" + text(c.point) + ")"; })
       .def(pickled<Closest>(&Closest::distance, &Closest::point, &Closest::normal, &Closest::status, &Closest::error));
   py::class_<RayHit>(m, "RayHit", "Where a ray meets a shape.")
       .def_readonly("t", &RayHit::t, "Along the ray, a length.")
-      .def_property_readonly("point", vector_of(&RayHit::point))
+      .def_property_readonly("point", vector_of(&RayHit::point),
+                             "On the surface, in the world; the origin of a ray that begins inside a solid.")
       .def_property_readonly("normal", vector_of(&RayHit::normal), "Unit, against the ray.")
       .def_readonly("piece", &RayHit::piece, "The child of a compound, else 0.")
       .def_property_readonly("status", status_of<RayHit>(), status_doc)
@@ -103,13 +110,15 @@ void add_plane_answers(py::module_& m) {
            [](const RayHit& h) { return "graze.plane.RayHit(t=" + text(h.t) + ", point=" + text(h.point) + ")"; })
       .def(pickled<RayHit>(&RayHit::t, &RayHit::point, &RayHit::normal, &RayHit::piece, &RayHit::status));
   py::class_<CastHit>(m, "CastHit", "When and where two moving bodies first touch.")
-      .def_readonly("t", &CastHit::t)
+      .def_readonly("t", &CastHit::t, "The time of the first contact, from 0 to `duration`, in its unit.")
       .def_property_readonly("point", vector_of(&CastHit::point), "In the world at time t.")
       .def_property_readonly("normal", vector_of(&CastHit::normal), "Unit, from a to b.")
       .def_readonly("depth", &CastHit::depth, "Of bodies that overlap from the start, else 0.")
       .def_property_readonly("status", status_of<CastHit>(), status_doc)
-      .def_readonly("piece_a", &CastHit::piece_a)
-      .def_readonly("piece_b", &CastHit::piece_b)
+      .def_readonly(
+          "piece_a", &CastHit::piece_a,
+          "The child of a compound, the piece of a polygon or the segment of a chain that a touches with, else 0.")
+      .def_readonly("piece_b", &CastHit::piece_b, "The same of b.")
       .def("__repr__",
            [](const CastHit& h) { return "graze.plane.CastHit(t=" + text(h.t) + ", point=" + text(h.point) + ")"; })
       .def(pickled<CastHit>(&CastHit::t, &CastHit::point, &CastHit::normal, &CastHit::depth, &CastHit::status,

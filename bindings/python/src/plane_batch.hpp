@@ -1,6 +1,7 @@
 // The types and functions of the plane with which `sides.hpp` and `row_batches.hpp` are written.
 #pragma once
 
+#include "graze/plane/proximity.hpp"
 #include "plane_convert.hpp"
 
 namespace graze::python {
@@ -19,6 +20,8 @@ struct PlaneBatch {
   using RayHit = plane::RayHit<double>;
   using CastHit = plane::CastHit<double>;
   using Closest = plane::Closest<double>;
+  using Distance = plane::Distance<double>;
+  using PieceDistance = plane::PieceDistance<double>;
   static_assert(sizeof(Pose) == 4 * sizeof(double), "four numbers a pose, as NumPy's rows have them");
 
   static constexpr py::ssize_t vector_size = 2, turning_size = 1, pose_size = 4;

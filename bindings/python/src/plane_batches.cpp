@@ -50,7 +50,9 @@ const std::string batch_doc = R"(
 a, b: a Shape or a sequence of shapes. poses_a, poses_b: an array of shape (n, 4) of rows
 (x, y, cosine, sine), which is read where it stands; a sequence of poses; or one pose.
 pairs: shape (m, 2), places in a and b; by default the first with the first and so on, or
-the single one of a side with all of the other. The interpreter's lock is released.)";
+the single one of a side with all of the other. The interpreter's lock is released. Raises ValueError
+that names the row for poses that are not finite or no rotations, for places that there are not, for
+numbers of bodies that do not fit, and for a margin or a duration that is negative.)";
 
 }  // namespace
 
@@ -97,6 +99,7 @@ void add_plane_batches(py::module_& m) {
        "points a pair, those that span most." +
        batch_doc)
           .c_str());
+  add_near_pieces<PlaneBatch>(batch, batch_doc);
   add_row_batches<PlaneBatch>(batch, batch_doc);
 }
 

@@ -33,6 +33,8 @@ bool read_vector(py::handle from, plane::Vec2d& to);
 bool read_pose(py::handle from, plane::Pose2d& to);
 /// A point with coordinates that queries take.
 plane::Vec2d checked(const plane::Vec2d& point, const char* name);
+/// A shape as an object of the class of its kind; polygons and chains have the corners that the library keeps.
+py::object object_of(const plane::Shaped& shape);
 /// A ray from its parts. Throws `InvalidValue` for numbers that queries do not take.
 inline plane::Ray<double> ray_of(const Vector2& origin, const Vector2& direction) {
   return {checked(origin.value, "origin"), checked(direction.value, "direction")};
@@ -49,6 +51,7 @@ void add_plane_motion(py::module_& m);
 void add_plane_world(py::module_& m);
 void add_plane_simulation(py::module_& m);
 void add_plane_draw(py::module_& m);
+void add_plane_scenes(py::module_& m);
 
 }  // namespace graze::python
 

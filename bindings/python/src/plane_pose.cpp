@@ -140,7 +140,8 @@ array([1., 3.])
             return pose;
           },
           py::arg("matrix"), "The pose of a 3x3 matrix without scale, shear or mirroring.")
-      .def_property_readonly("translation", [](const Pose2d& p) { return array_of(p.translation); })
+      .def_property_readonly(
+          "translation", [](const Pose2d& p) { return array_of(p.translation); }, "Of the origin, lengths.")
       .def_property_readonly("angle", &angle_of, "Radians, from -pi to pi.")
       .def_property_readonly(
           "rotation",

@@ -47,7 +47,8 @@ void add_pairs(py::module_& m) {
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
       R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace); with a
-renderer as of draw for trace, what the question did is drawn through it.
+renderer as of draw for trace, what the question did is drawn through it. Raises ValueError for a
+pose whose numbers are not finite or no rotation.
 
 >>> from graze import plane
 >>> plane.overlap(plane.Box((2, 2)), None, plane.Circle(0.5), (1.4, 0))
@@ -62,7 +63,8 @@ True
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
       R"(The signed distance of two shapes, the points that realise it, and the normal from a to b.
 
-Negative where they overlap: minus the length of the shortest translation that separates them.
+Negative where they overlap: minus the length of the shortest translation that separates them. With
+trace=True (answer, trace). Raises ValueError for a pose whose numbers are not finite or no rotation.
 
 >>> from graze import plane
 >>> d = plane.distance(plane.Box((2, 2)), None, plane.Circle(0.5), (3, 0))
@@ -117,7 +119,10 @@ Pieces are numbered as those of a manifold: children, pieces of a polygon, segme
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
       py::arg("trace") = false,
-      R"(Where two shapes touch, or are up to `margin` apart: a list of Manifold.
+      R"(Where two shapes touch, or are up to `margin` >= 0 apart: a list of Manifold.
+
+With trace=True (list, trace). Raises ValueError for a margin that is negative, and for a pose whose
+numbers are not finite or no rotation.
 
 >>> from graze import plane
 >>> [m] = plane.contacts(plane.HalfPlane(), None, plane.Box((2, 2)), (0, 1))
@@ -204,8 +209,10 @@ Raises ValueError for what is not finite.
       py::arg("ignore_separating") = false, py::arg("trace") = false,
       R"(When two moving bodies first touch within `duration`: a CastHit, or None.
 
-Velocities in units of length and radians (counter-clockwise) per unit of time. ignore_separating: whether
-shapes that touch at the start and move apart do not count.
+Velocities in units of length and radians (counter-clockwise) per unit of time; the hit's t is in the
+unit of `duration`. ignore_separating: whether shapes that touch at the start and move apart do not count.
+With trace=True (answer, trace). Raises ValueError for a duration that is negative, and for what is not
+finite.
 
 >>> from graze import plane
 >>> plane.cast(plane.Box((2, 2)), None, (0, 0), plane.Circle(0.5), (9, 0), (-15, 0)).t
@@ -256,6 +263,7 @@ void add_plane(py::module_& m) {
   add_plane_world(plane);
   add_plane_simulation(plane);
   add_plane_draw(plane);
+  add_plane_scenes(plane);
 }
 
 }  // namespace graze::python

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bounded_convex.hpp"
+#include "graze/plane/mass.hpp"
 #include "plane_convert.hpp"
 #include "raised.hpp"
 #include "shapes.hpp"
@@ -64,9 +65,16 @@ class PythonSupport final : public plane::SupportFunction<double> {
 
 // Polygons and chains hold their pieces, not their points: their classes keep the points besides.
 
+template <class C>
+std::vector<plane::Vec2d> outline_of(const C& shape) {
+  return shape.pieces().outline_vertices();
+}
+
 struct OfPolygon : Of<Polygon> {
   OfPolygon(std::vector<plane::Vec2d> given, double rounding)
       : Of<Polygon>(Polygon(given), rounding), points(std::make_shared<std::vector<plane::Vec2d>>(std::move(given))) {}
+  explicit OfPolygon(const Shaped& shape)
+      : Of<Polygon>(shape), points(std::make_shared<std::vector<plane::Vec2d>>(outline_of(concrete()))) {}
   std::shared_ptr<const std::vector<plane::Vec2d>> points;
 };
 
@@ -74,6 +82,8 @@ struct OfChain : Of<Chain> {
   OfChain(std::vector<plane::Vec2d> given, bool closed, plane::ChainSides sides, double rounding)
       : Of<Chain>(Chain(given, closed, sides), rounding),
         points(std::make_shared<std::vector<plane::Vec2d>>(std::move(given))) {}
+  explicit OfChain(const Shaped& shape)
+      : Of<Chain>(shape), points(std::make_shared<std::vector<plane::Vec2d>>(outline_of(concrete()))) {}
   std::shared_ptr<const std::vector<plane::Vec2d>> points;
 };
 
@@ -173,7 +183,8 @@ py::class_<Class, Shaped> shape_class(py::module_& m, const char* name, const ch
 void add_round(py::module_& m) {
   shape_class<Of<Circle>>(m, "Circle", "A disc of `radius` >= 0 about the origin.")
       .def(py::init([](double radius) { return Of<Circle>(Circle(radius)); }), py::arg("radius"))
-      .def_property_readonly("radius", [](const Of<Circle>& s) { return s.concrete().radius(); });
+      .def_property_readonly(
+          "radius", [](const Of<Circle>& s) { return s.concrete().radius(); }, "A length.");
   shape_class<Of<Capsule>>(m, "Capsule", R"(Two discs and all between them, about the origin along Y.
 
 height: between the centres of the discs. radius: of the lower, and of the upper one too
@@ -182,13 +193,18 @@ unless `radius_top` is given. All >= 0.)")
              return Of<Capsule>(Capsule(height, radius, top.value_or(radius)), rounding);
            }),
            py::arg("height"), py::arg("radius"), py::arg("radius_top") = py::none(), py::arg("rounding") = 0.0)
-      .def_property_readonly("height", [](const Of<Capsule>& s) { return 2 * s.concrete().half_height(); })
-      .def_property_readonly("radius", [](const Of<Capsule>& s) { return s.concrete().radius_bottom(); })
-      .def_property_readonly("radius_top", [](const Of<Capsule>& s) { return s.concrete().radius_top(); });
+      .def_property_readonly(
+          "height", [](const Of<Capsule>& s) { return 2 * s.concrete().half_height(); },
+          "Between the centres of the discs, a length.")
+      .def_property_readonly(
+          "radius", [](const Of<Capsule>& s) { return s.concrete().radius_bottom(); }, "Of the lower end, a length.")
+      .def_property_readonly(
+          "radius_top", [](const Of<Capsule>& s) { return s.concrete().radius_top(); }, "Of the upper end, a length.");
   shape_class<Of<Ellipse>>(m, "Ellipse", "An ellipse about the origin; `radii` along the axes, each >= 0.")
       .def(py::init([](const Vector2& radii, double rounding) { return Of<Ellipse>(Ellipse(radii.value), rounding); }),
            py::arg("radii"), py::arg("rounding") = 0.0)
-      .def_property_readonly("radii", [](const Of<Ellipse>& s) { return array_of(s.concrete().radii()); });
+      .def_property_readonly(
+          "radii", [](const Of<Ellipse>& s) { return array_of(s.concrete().radii()); }, "The half axes, lengths.");
 }
 
 void add_flat(py::module_& m) {
@@ -202,14 +218,18 @@ graze.plane.Box(size=(2.0, 1.0), rounding=0.1)
 )")
       .def(py::init([](const Vector2& size, double rounding) { return Of<Box>(Box(size.value), rounding); }),
            py::arg("size"), py::arg("rounding") = 0.0)
-      .def_property_readonly("size", [](const Of<Box>& s) { return array_of(s.concrete().half_extents() * 2.0); });
+      .def_property_readonly(
+          "size", [](const Of<Box>& s) { return array_of(s.concrete().half_extents() * 2.0); },
+          "The full edge lengths.");
   shape_class<Of<Segment>>(m, "Segment", "The straight piece between two points; with a rounding a capsule.")
       .def(py::init([](const Vector2& a, const Vector2& b, double rounding) {
              return Of<Segment>(Segment(a.value, b.value), rounding);
            }),
            py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0)
-      .def_property_readonly("a", [](const Of<Segment>& s) { return array_of(s.concrete().a()); })
-      .def_property_readonly("b", [](const Of<Segment>& s) { return array_of(s.concrete().b()); });
+      .def_property_readonly(
+          "a", [](const Of<Segment>& s) { return array_of(s.concrete().a()); }, "The first end, in the shape's frame.")
+      .def_property_readonly(
+          "b", [](const Of<Segment>& s) { return array_of(s.concrete().b()); }, "The other end.");
   shape_class<Of<HalfPlane>>(m, "HalfPlane",
                              "All points with y <= 0 in its own frame; a rounding moves its surface up.")
       .def(py::init([](double rounding) { return Of<HalfPlane>(HalfPlane(), rounding); }), py::arg("rounding") = 0.0);
@@ -242,7 +262,8 @@ point where the outline turns back on itself, crosses or touches itself.)")
              return OfPolygon(points_of_plane(points, "points"), rounding);
            }),
            py::arg("points"), py::arg("rounding") = 0.0)
-      .def_property_readonly("points", [](const OfPolygon& s) { return array_of_points(*s.points); });
+      .def_property_readonly(
+          "points", [](const OfPolygon& s) { return array_of_points(*s.points); }, "The corners, shape (n, 2).");
   shape_class<OfChain>(m, "Chain", R"(Segments joined end to end, without an inside.
 
 points: shape (n, 2) with n >= 2, no two in a row the same. closed: it goes on from the last to
@@ -252,22 +273,38 @@ the first. one_sided: contacts push to the right of its segments alone.)")
                             one_sided ? plane::ChainSides::one : plane::ChainSides::both, rounding);
            }),
            py::arg("points"), py::arg("closed") = false, py::arg("one_sided") = false, py::arg("rounding") = 0.0)
-      .def_property_readonly("points", [](const OfChain& s) { return array_of_points(*s.points); })
-      .def_property_readonly("closed", [](const OfChain& s) { return s.concrete().closed(); });
-}
-
-/// The object of a shape that the library has made of one convex shape.
-py::object object_of_convex(const Shaped& shape) {
-  if (shape.as<Segment>()) return py::cast(Of<Segment>(shape));
-  if (shape.as<ConvexPolygon>()) return py::cast(Of<ConvexPolygon>(shape));
-  return py::cast(Of<UserConvex>(shape));
+      .def_property_readonly(
+          "points", [](const OfChain& s) { return array_of_points(*s.points); }, "The corners, shape (n, 2).")
+      .def_property_readonly(
+          "closed", [](const OfChain& s) { return s.concrete().closed(); },
+          "Whether it goes on from the last point to the first.");
 }
 
 /// A compound, and the Python objects of its children.
 struct OfCompound : Of<Compound> {
   OfCompound(std::vector<plane::Placed<double>> placed, py::list given)
       : Of<Compound>(Compound(std::move(placed))), children(std::move(given)) {}
+  explicit OfCompound(const Shaped& shape) : Of<Compound>(shape) {
+    for (const auto& child : concrete().children()) children.append(py::make_tuple(object_of(child.shape), child.pose));
+  }
   py::list children;
+};
+
+template <class C>
+struct ClassOf {
+  using type = Of<C>;
+};
+template <>
+struct ClassOf<Polygon> {
+  using type = OfPolygon;
+};
+template <>
+struct ClassOf<Chain> {
+  using type = OfChain;
+};
+template <>
+struct ClassOf<Compound> {
+  using type = OfCompound;
 };
 
 py::dict arguments(const OfCompound& s) {
@@ -298,9 +335,15 @@ OfCompound compound_of(const py::iterable& children) {
 
 }  // namespace
 
+py::object object_of(const plane::Shaped& shape) {
+  return shape.visit([&]<class C>(const C&) { return py::cast(typename ClassOf<C>::type(shape)); });
+}
+
 void add_plane_shapes(py::module_& m) {
   py::class_<Shaped>(m, "Shape", "Any shape of the plane: immutable, and cheap to copy.")
       .def_property_readonly("rounding", &Shaped::rounding, "The radius of the disc that is added to it.")
+      .def_property_readonly("convex", &Shaped::convex,
+                             "Whether the shape is convex, as a half-plane is; polygons, chains and compounds are not.")
       .def(
           "bounds",
           [](const Shaped& shape, const Placement2& pose) {
@@ -318,7 +361,7 @@ void add_plane_shapes(py::module_& m) {
       .def(
           "swept",
           [](const Shaped& shape, const Placement2& pose, const Vector2& motion) {
-            return ShapeObject{object_of_convex(swept(shape, pose.value, motion.value))};
+            return ShapeObject{object_of(swept(shape, pose.value, motion.value))};
           },
           py::arg("pose"), py::arg("motion"),
           R"(The region that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion`.
@@ -328,13 +371,31 @@ Without turning; the result stands at the same pose. Raises ValueError.
 >>> from graze import plane
 >>> plane.Circle(0.5).swept((3, 0), (2, 0))
 graze.plane.Segment(a=(0.0, 0.0), b=(2.0, 0.0), rounding=0.5)
+)")
+      .def(
+          "mass_properties",
+          [](const Shaped& shape) {
+            const plane::MassProperties<double> mass = mass_properties(shape);
+            return py::make_tuple(mass.area, array_of(mass.center), mass.inertia);
+          },
+          R"((area, its centre, inertia about that) of density one; area 0 for what has none.
+
+The centre is in the shape's frame; a body of mass m has the inertia m * inertia / area. Costs what
+the shape has of vertices.
+
+>>> from graze import plane
+>>> area, center, inertia = plane.Box((2, 1)).mass_properties()
+>>> area, center, round(inertia, 12)
+(2.0, array([0., 0.]), 0.833333333333)
 )");
   add_round(m);
   add_flat(m);
   add_outlined(m);
   shape_class<OfCompound>(m, "Compound", "Several shapes as one: `children`, pairs (shape, pose), at least one.")
       .def(py::init(&compound_of), py::arg("children"))
-      .def_property_readonly("children", [](const OfCompound& s) { return py::list(s.children); });
+      .def_property_readonly(
+          "children", [](const OfCompound& s) { return py::list(s.children); },
+          "The pairs (shape, pose) it was made of.");
 }
 
 }  // namespace graze::python

@@ -48,7 +48,8 @@ graze.Pose(translation=(-1.0, -2.0, -3.0), rotation=(-0.0, -0.0, -0.0, 1.0))
             return pose;
           },
           py::arg("matrix"), "The pose of a 4x4 matrix without scale, shear or mirroring.")
-      .def_property_readonly("translation", [](const Posed& p) { return array_of(p.translation); })
+      .def_property_readonly(
+          "translation", [](const Posed& p) { return array_of(p.translation); }, "Of the origin, lengths.")
       .def_property_readonly(
           "rotation",
           [](const Posed& p) {

@@ -37,7 +37,8 @@ void add_pairs(py::module_& m) {
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
       pair(R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace); with a
-renderer as of draw for trace, what the question did is drawn through it.
+renderer as of draw for trace, what the question did is drawn through it. Raises ValueError for a
+pose whose numbers are not finite or no rotation.
 
 >>> import graze
 >>> graze.overlap(graze.Box((2, 2, 2)), None, graze.Sphere(0.5), (1.4, 0, 0))
@@ -52,7 +53,8 @@ True
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
       R"(The signed distance of two shapes, the points that realise it, and the normal from a to b.
 
-Negative where they overlap: minus the length of the shortest translation that separates them.
+Negative where they overlap: minus the length of the shortest translation that separates them. With
+trace=True (answer, trace). Raises ValueError for a pose whose numbers are not finite or no rotation.
 
 >>> import graze
 >>> d = graze.distance(graze.Box((2, 2, 2)), None, graze.Sphere(0.5), (1.4, 0, 0))
@@ -108,7 +110,10 @@ Negative where they overlap: minus the length of the shortest translation that s
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
       py::arg("trace") = false,
-      R"(Where two shapes touch, or are up to `margin` apart: a list of Manifold.
+      R"(Where two shapes touch, or are up to `margin` >= 0 apart: a list of Manifold.
+
+With trace=True (list, trace). Raises ValueError for a margin that is negative, and for a pose whose
+numbers are not finite or no rotation.
 
 >>> import graze
 >>> box = graze.Box((1, 1, 1))
@@ -148,7 +153,9 @@ void add_points_and_rays(py::module_& m) {
         return answered(trace, [&](Trace* t) { return closest(shape, pose.value, p, t); });
       },
       py::arg("shape"), py::arg("pose"), py::arg("point"), py::arg("trace") = false,
-      "The point of a shape's surface nearest to a point; the distance is negative inside a solid.");
+      R"(The point of a shape's surface nearest to a point: a Closest, whose distance is negative inside a solid.
+
+With trace=True (answer, trace). Raises ValueError for a point or a pose that is not finite.)");
   m.def(
       "raycast",
       [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
@@ -214,7 +221,9 @@ void add_casts(py::module_& m) {
       py::arg("ignore_separating") = false, py::arg("trace") = false,
       R"(When two moving bodies first touch within `duration`: a CastHit, or None.
 
-Velocities in units of length and radians per unit of time, in world axes.
+Velocities in units of length and radians per unit of time, in world axes; the hit's t is in the unit of
+`duration`. ignore_separating: bodies that overlap from the start and part count as not met. With
+trace=True (answer, trace). Raises ValueError for a duration that is negative, and for what is not finite.
 
 >>> import graze
 >>> hit = graze.cast(graze.Box((2, 2, 2)), None, (0, 0, 0), graze.Sphere(0.5), (9, 0, 0), (-15, 0, 0))

@@ -142,6 +142,61 @@ py::dtype closest_type() {
                      sizeof(C));
 }
 
+template <class Words>
+py::dtype piece_type() {
+  using P = typename Words::PieceDistance;
+  using D = typename Words::Distance;
+  constexpr std::size_t distance = offsetof(P, distance);
+  return record_type({{"piece_a", "u4", offsetof(P, piece_a)},
+                      {"piece_b", "u4", offsetof(P, piece_b)},
+                      {"distance", "f8", distance + offsetof(D, distance)},
+                      {"normal", Words::vector_type, distance + offsetof(D, normal)},
+                      {"a", Words::vector_type, distance + offsetof(D, a)},
+                      {"b", Words::vector_type, distance + offsetof(D, b)},
+                      {"status", "u1", distance + offsetof(D, status)},
+                      {"error", "f8", distance + offsetof(D, error)}},
+                     sizeof(P));
+}
+
+/// The near pieces of all pairs, and where those of each pair end.
+template <class Words>
+struct NearPieces {
+  std::vector<typename Words::PieceDistance> all;
+  std::vector<std::uint64_t> ends;
+};
+
+/// `batch.near_pieces`.
+template <class Words>
+void add_near_pieces(py::module_& batch, const std::string& sides_doc) {
+  using Object = const py::object&;
+  using Shape = typename Words::Shape;
+  using Pieces = NearPieces<Words>;
+  batch.def(
+      "near_pieces",
+      [type = piece_type<Words>()](Object a, Object poses_a, Object b, Object poses_b, double margin, Object pairs) {
+        const Question<Words> question(a, poses_a, b, poses_b, pairs);
+        checked_reach(margin, "margin");
+        Pieces found = question.template found<Pieces>([margin](const typename Words::Batch& asked, Pieces& pieces) {
+          for (std::size_t i = 0; i < asked.size(); ++i) {
+            const IdPair pair = asked[i];
+            asked.a().visit(pair.a, [&](const Shape& p) {
+              asked.b().visit(pair.b, [&](const Shape& q) {
+                near_pieces(p, asked.a().pose(pair.a), q, asked.b().pose(pair.b), margin, pieces.all);
+              });
+            });
+            pieces.ends.push_back(pieces.all.size());
+          }
+        });
+        return py::make_tuple(records(std::move(found.all), type), records(std::move(found.ends), py::dtype("u8")));
+      },
+      py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin"),
+      py::arg("pairs") = py::none(),
+      ("The pairs of convex pieces within `margin` >= 0 of each pair: (pieces, ends), an array of records with the "
+       "fields piece_a, piece_b, distance, normal, a, b, status, error, and where those of each pair end in it." +
+       sides_doc)
+          .c_str());
+}
+
 /// `batch.closest`, `batch.raycast`, `batch.raycast_any` and `batch.cast`.
 template <class Words>
 void add_row_batches(py::module_& batch, const std::string& sides_doc) {

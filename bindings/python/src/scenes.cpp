@@ -1,8 +1,10 @@
 // Scenes from files, and the query protocol.
 #include "answers.hpp"
+#include "scene_text.hpp"
 #include "shapes.hpp"
 
 #include "graze/io/collide.hpp"
+#include "graze/io/plane_scene.hpp"
 #include "graze/io/protocol.hpp"
 #include "graze/io/scene.hpp"
 
@@ -31,26 +33,26 @@ io::LoadOptions load_options(const std::string& colliders) {
 
 void add_scenes(py::module_& m) {
   py::class_<io::Collider>(m, "Collider", "One shape of a body of a scene, at its pose in the world.")
-      .def_readonly("name", &io::Collider::name)
+      .def_readonly("name", &io::Collider::name, "Its name in the file; may be empty.")
       .def_readonly("body", &io::Collider::body, "The index of its body.")
-      .def_readonly("pose", &io::Collider::pose)
-      .def_readonly("filter", &io::Collider::filter)
-      .def_readonly("trigger", &io::Collider::trigger)
-      .def_property_readonly("shape", [](const io::Collider& c) { return ShapeObject{object_of(c.shape)}; })
-      .def("__repr__", [](const io::Collider& c) { return "<graze.Collider " + c.name + ">"; });
-  py::class_<io::Scene>(m, "Scene", "What a file holds.")
-      .def_readonly("source", &io::Scene::source)
-      .def_readonly("colliders", &io::Scene::colliders)
+      .def_readonly("pose", &io::Collider::pose, "In the world.")
+      .def_readonly("filter", &io::Collider::filter, "The category and mask of the file's collision filters.")
+      .def_readonly("trigger", &io::Collider::trigger, "Whether it only reports overlaps.")
+      .def_property_readonly(
+          "shape", [](const io::Collider& c) { return ShapeObject{object_of(c.shape)}; },
+          "The shape, in its own frame.")
+      .def("__repr__", [](const io::Collider& c) { return "<graze.Collider " + quoted(c.name) + ">"; });
+  py::class_<io::Scene>(m, "Scene", "What a file holds. Not pickled: load the file again.")
+      .def("__repr__", [](const io::Scene& scene) { return scene_text("graze.Scene", scene); })
+      .def_readonly("source", &io::Scene::source, "The name of the file.")
+      .def_readonly("colliders", &io::Scene::colliders, "All shapes in place, a list of Collider in the file's order.")
       .def_readonly("notices", &io::Scene::notices, "What was skipped or approximated, a sentence each.")
       .def_property_readonly(
           "bodies",
           [](const io::Scene& scene) {
             py::list out;
             for (const auto& body : scene.bodies) {
-              const char* type = body.type == io::MotionType::fixed     ? "static"
-                                 : body.type == io::MotionType::dynamic ? "dynamic"
-                                                                        : "kinematic";
-              out.append(py::make_tuple(body.name, type, body.pose));
+              out.append(py::make_tuple(body.name, text_of(body.type), body.pose));
             }
             return out;
           },
@@ -58,13 +60,16 @@ void add_scenes(py::module_& m) {
   m.def(
       "load",
       [](const std::filesystem::path& file, const std::string& colliders) {
+        if (io::is_plane_scene(file))
+          throw InvalidValue("file", "a scene of space; graze.plane.load reads those of the plane", file.string());
         return io::load_scene(file, load_options(colliders));
       },
       py::arg("file"), py::arg("colliders") = "mesh",
       R"(Reads a scene: glTF 2.0 (with KHR_implicit_shapes and KHR_physics_rigid_bodies), OBJ, STL, PLY.
 
 colliders: what meshes of files without physics become: 'mesh', 'hull', 'box' or 'sphere'.
-Raises ValueError for a file that cannot be read, with the place of the fault.)");
+Raises ValueError for a file that cannot be read, with the place of the fault. Drawings of the plane
+(.svg, .json) are read by `graze.plane.load`.)");
   m.def(
       "collide",
       [](const io::Scene& scene, double margin) {
@@ -84,7 +89,9 @@ Raises ValueError for a file that cannot be read, with the place of the fault.)"
         return out;
       },
       py::arg("scene"), py::arg("margin") = 0.0,
-      "Which colliders of a scene touch: (index, index, list of Manifold), normals from the first to the second.");
+      R"(Which colliders of a scene touch: (index, index, list of Manifold), normals from the first to the second.
+
+margin: >= 0, up to which contacts count. Raises ValueError for one that is negative or not finite.)");
   m.def(
       "answer",
       [](const std::string& question) { return io::answer_line(question, io::Precision::double_precision).text; },

@@ -198,9 +198,13 @@ py::class_<Of<C>, Shaped> tapered_class(py::module_& m, const char* name, const 
              return Of<C>(C(height, radius, radius_top.value_or(radius)), rounding);
            }),
            py::arg("height"), py::arg("radius"), py::arg("radius_top") = py::none(), py::arg("rounding") = 0.0)
-      .def_property_readonly("height", [](const Of<C>& s) { return 2 * s.concrete().half_height(); })
-      .def_property_readonly("radius", [](const Of<C>& s) { return s.concrete().radius_bottom(); })
-      .def_property_readonly("radius_top", [](const Of<C>& s) { return s.concrete().radius_top(); });
+      .def_property_readonly(
+          "height", [](const Of<C>& s) { return 2 * s.concrete().half_height(); },
+          "Between the centres of a capsule's balls, full of a cylinder; a length.")
+      .def_property_readonly(
+          "radius", [](const Of<C>& s) { return s.concrete().radius_bottom(); }, "Of the lower end, a length.")
+      .def_property_readonly(
+          "radius_top", [](const Of<C>& s) { return s.concrete().radius_top(); }, "Of the upper end, a length.");
   return type;
 }
 
@@ -210,8 +214,11 @@ void add_round(py::module_& m) {
              return Of<Sphere<double>>(Sphere<double>(radius, center.value));
            }),
            py::arg("radius"), py::arg("center") = Vector{})
-      .def_property_readonly("radius", [](const Of<Sphere<double>>& s) { return s.concrete().radius(); })
-      .def_property_readonly("center", [](const Of<Sphere<double>>& s) { return array_of(s.concrete().center()); });
+      .def_property_readonly(
+          "radius", [](const Of<Sphere<double>>& s) { return s.concrete().radius(); }, "A length.")
+      .def_property_readonly(
+          "center", [](const Of<Sphere<double>>& s) { return array_of(s.concrete().center()); },
+          "In the shape's frame.");
   tapered_class<Capsule<double>>(m, "Capsule", R"(Two balls and all between them, about the origin along Y.
 
 height: between the centres of the balls. radius: of the lower, and of the upper one too
@@ -225,7 +232,9 @@ given (0 makes a cone). rounding: the radius of a ball that is added. All >= 0.)
              return Of<Ellipsoid<double>>(Ellipsoid<double>(radii.value), rounding);
            }),
            py::arg("radii"), py::arg("rounding") = 0.0)
-      .def_property_readonly("radii", [](const Of<Ellipsoid<double>>& e) { return array_of(e.concrete().radii()); });
+      .def_property_readonly(
+          "radii", [](const Of<Ellipsoid<double>>& e) { return array_of(e.concrete().radii()); },
+          "The half axes, lengths.");
 }
 
 void add_flat(py::module_& m) {
@@ -241,8 +250,9 @@ graze.Box(size=(2.0, 2.0, 1.0), rounding=0.1)
       .def(py::init(
                [](const Vector& size, double rounding) { return Of<Box<double>>(Box<double>(size.value), rounding); }),
            py::arg("size"), py::arg("rounding") = 0.0)
-      .def_property_readonly("size",
-                             [](const Of<Box<double>>& b) { return array_of(b.concrete().half_extents() * 2.0); });
+      .def_property_readonly(
+          "size", [](const Of<Box<double>>& b) { return array_of(b.concrete().half_extents() * 2.0); },
+          "The full edge lengths.");
   shape_class<Rectangle<double>>(m, "Rectangle",
                                  "A rectangle about the origin in the plane y = 0; full edge lengths >= 0.")
       .def(py::init([](double x, double z, double rounding) {
@@ -273,7 +283,8 @@ void add_convex(py::module_& m) {
            }),
            py::arg("points"), py::arg("rounding") = 0.0)
       .def_property_readonly(
-          "vertices", [](const Of<ConvexHull<double>>& h) { return array_of_points(h.concrete().data().vertices); });
+          "vertices", [](const Of<ConvexHull<double>>& h) { return array_of_points(h.concrete().data().vertices); },
+          "Of the hull, in the shape's frame: shape (n, 3).");
   shape_class<UserConvex<double>>(m, "UserConvex", R"(Your own convex shape: one support function.
 
 support: takes a direction (an array of three numbers, not zero) and returns the point of the
@@ -302,12 +313,17 @@ contacts push out of the front alone. Raises ValueError that names the index or 
                                                   front_only ? Sides::front : Sides::both, solid));
            }),
            py::arg("vertices"), py::arg("faces"), py::arg("solid") = false, py::arg("front_only") = false)
-      .def_property_readonly("vertices",
-                             [](const Of<Mesh<double>>& m) { return array_of_points(m.concrete().points()); })
-      .def_property_readonly("faces",
-                             [](const Of<Mesh<double>>& m) { return array_of_triangles(m.concrete().triangles()); })
-      .def_property_readonly("closed", [](const Of<Mesh<double>>& m) { return m.concrete().closed(); })
-      .def_property_readonly("solid", [](const Of<Mesh<double>>& m) { return m.concrete().solid(); })
+      .def_property_readonly(
+          "vertices", [](const Of<Mesh<double>>& m) { return array_of_points(m.concrete().points()); },
+          "In the shape's frame, shape (n, 3).")
+      .def_property_readonly(
+          "faces", [](const Of<Mesh<double>>& m) { return array_of_triangles(m.concrete().triangles()); },
+          "Indices of the vertices, shape (m, 3).")
+      .def_property_readonly(
+          "closed", [](const Of<Mesh<double>>& m) { return m.concrete().closed(); },
+          "Whether each edge belongs to two triangles that run through it in opposite directions.")
+      .def_property_readonly(
+          "solid", [](const Of<Mesh<double>>& m) { return m.concrete().solid(); }, "Whether the inside counts as well.")
       .def(
           "findings", [](const Of<Mesh<double>>& m) { return counts_of(findings(m.concrete())); },
           R"(What the mesh is like: counts of its triangles and edges by name, as a dictionary.
@@ -338,9 +354,10 @@ z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
              return Of<Compound<double>>(Compound<double>(std::move(placed)));
            }),
            py::arg("children"))
-      .def_property_readonly("children", [](const Of<Compound<double>>& c) {
-        return arguments(c.concrete())["children"].cast<py::list>();
-      });
+      .def_property_readonly(
+          "children",
+          [](const Of<Compound<double>>& c) { return arguments(c.concrete())["children"].cast<py::list>(); },
+          "The pairs (shape, pose) it was made of.");
 }
 
 }  // namespace
@@ -352,7 +369,9 @@ py::object object_of(const Shaped& shape) {
 void add_shapes(py::module_& m) {
   py::class_<Shaped>(m, "Shape", "Any shape: immutable, and cheap to copy, since big ones share their data.")
       .def_property_readonly("rounding", &Shaped::rounding, "The radius of the ball that is added to it.")
-      .def_property_readonly("convex", &Shaped::convex)
+      .def_property_readonly(
+          "convex", &Shaped::convex,
+          "Whether the shape is convex, as a half-space is; meshes, height fields and compounds are not.")
       .def(
           "bounds",
           [](const Shaped& shape, const Placement& pose) {

@@ -46,18 +46,21 @@ for numbers that are none where a joint gets the limit.)")
            }),
            py::arg("space"), py::arg("axes"), py::arg("min") = 0.0, py::arg("max") = 0.0,
            py::arg("stiffness") = py::none(), py::arg("damping") = 0.0)
-      .def_property_readonly("space", [](const Limit& l) { return text_of(l.space); })
-      .def_property_readonly("axes",
-                             [](const Limit& l) {
-                               std::string axes;
-                               for (std::size_t i = 0; i < 3; ++i)
-                                 if (l.axes[i]) axes += "xyz"[i];
-                               return axes;
-                             })
-      .def_readonly("min", &Limit::min)
-      .def_readonly("max", &Limit::max)
-      .def_readonly("stiffness", &Limit::stiffness)
-      .def_readonly("damping", &Limit::damping)
+      .def_property_readonly(
+          "space", [](const Limit& l) { return text_of(l.space); }, "'linear' or 'angular'.")
+      .def_property_readonly(
+          "axes",
+          [](const Limit& l) {
+            std::string axes;
+            for (std::size_t i = 0; i < 3; ++i)
+              if (l.axes[i]) axes += "xyz"[i];
+            return axes;
+          },
+          "Those of frame a that are bounded together, 'xy' for instance.")
+      .def_readonly("min", &Limit::min, "The lower bound: a length or an angle in radians; may be infinite.")
+      .def_readonly("max", &Limit::max, "The upper bound, not below `min`.")
+      .def_readonly("stiffness", &Limit::stiffness, "Force a length or torque a radian beyond the bounds; 0 is hard.")
+      .def_readonly("damping", &Limit::damping, "Force or torque by the speed beyond soft bounds.")
       .def("__repr__",
            [](const py::object& self) {
              return call_text("graze.JointLimit", {{"space", self.attr("space")},
@@ -94,14 +97,18 @@ Raises ValueError for words that are none; for numbers that are none where a joi
            py::arg("space"), py::arg("axis"), py::arg("position_target") = usual.position_target,
            py::arg("velocity_target") = usual.velocity_target, py::arg("stiffness") = usual.stiffness,
            py::arg("damping") = usual.damping, py::arg("max_force") = usual.max_force, py::arg("acceleration") = false)
-      .def_property_readonly("space", [](const Drive& d) { return text_of(d.space); })
-      .def_property_readonly("axis", [](const Drive& d) { return std::string(1, "xyz"[d.axis]); })
-      .def_readonly("position_target", &Drive::position_target)
-      .def_readonly("velocity_target", &Drive::velocity_target)
-      .def_readonly("stiffness", &Drive::stiffness)
-      .def_readonly("damping", &Drive::damping)
-      .def_readonly("max_force", &Drive::max_force)
-      .def_property_readonly("acceleration", [](const Drive& d) { return d.mode == DriveMode::acceleration; })
+      .def_property_readonly(
+          "space", [](const Drive& d) { return text_of(d.space); }, "'linear' or 'angular'.")
+      .def_property_readonly(
+          "axis", [](const Drive& d) { return std::string(1, "xyz"[d.axis]); }, "'x', 'y' or 'z', of frame a.")
+      .def_readonly("position_target", &Drive::position_target, "Where to, a length or an angle in radians.")
+      .def_readonly("velocity_target", &Drive::velocity_target, "How fast, in lengths or radians.")
+      .def_readonly("stiffness", &Drive::stiffness, "Force a length or torque a radian away from the target.")
+      .def_readonly("damping", &Drive::damping, "Force or torque by the difference from the velocity wanted.")
+      .def_readonly("max_force", &Drive::max_force, "The largest force or torque; may be infinite.")
+      .def_property_readonly(
+          "acceleration", [](const Drive& d) { return d.mode == DriveMode::acceleration; },
+          "Whether stiffness and damping are those of accelerations, which mass and inertia do not change.")
       .def("__repr__",
            [](const py::object& self) {
              return call_text("graze.JointDrive", {{"space", self.attr("space")},
@@ -120,8 +127,8 @@ Raises ValueError for words that are none; for numbers that are none where a joi
                                              self.attr("max_force"), self.attr("acceleration")));
       });
   py::class_<JointId>(m, "JointId", "A handle of a joint: its index, and how often that was given away before.")
-      .def_readonly("index", &JointId::index)
-      .def_readonly("generation", &JointId::generation)
+      .def_readonly("index", &JointId::index, "The place among the joints.")
+      .def_readonly("generation", &JointId::generation, "How often the index was given away before.")
       .def(
           "__repr__",
           [](const JointId& id) {

@@ -229,15 +229,23 @@ in the body's frame. Raises ValueError for a combine mode or a number that is no
              py::arg("restitution") = usual.restitution, py::arg("rolling_friction") = usual.rolling_friction,
              py::arg("friction_combine") = "unset", py::arg("restitution_combine") = "unset",
              py::arg("surface_velocity") = Vector{})
-        .def_readonly("static_friction", &Material::static_friction)
-        .def_readonly("dynamic_friction", &Material::dynamic_friction)
-        .def_readonly("restitution", &Material::restitution)
-        .def_readonly("rolling_friction", &Material::rolling_friction)
-        .def_property_readonly("friction_combine",
-                               [](const Material& x) { return python::text_of(x.friction_combine); })
-        .def_property_readonly("restitution_combine",
-                               [](const Material& x) { return python::text_of(x.restitution_combine); })
-        .def_property_readonly("surface_velocity", [](const Material& x) { return array_of(x.surface_velocity); })
+        .def_readonly("static_friction", &Material::static_friction,
+                      "Coulomb's coefficient of what does not slide, >= 0.")
+        .def_readonly("dynamic_friction", &Material::dynamic_friction, "Coulomb's coefficient of what slides, >= 0.")
+        .def_readonly("restitution", &Material::restitution,
+                      "The fraction of the approach speed that comes back, 0 to 1.")
+        .def_readonly("rolling_friction", &Material::rolling_friction,
+                      "A length: torque against rolling by the normal force.")
+        .def_property_readonly(
+            "friction_combine", [](const Material& x) { return python::text_of(x.friction_combine); },
+            "How the coefficients of two materials are combined: 'unset', 'average', 'minimum', 'maximum' or "
+            "'multiply'.")
+        .def_property_readonly(
+            "restitution_combine", [](const Material& x) { return python::text_of(x.restitution_combine); },
+            "How the restitutions of two materials are combined, as for friction.")
+        .def_property_readonly(
+            "surface_velocity", [](const Material& x) { return array_of(x.surface_velocity); },
+            "Of a conveyor's surface, in the body's frame.")
         .def("__repr__",
              [](const py::object& self) {
                const auto& x = self.cast<const Material&>();

@@ -20,6 +20,8 @@ struct SpaceBatch {
   using RayHit = graze::RayHit<double>;
   using CastHit = graze::CastHit<double>;
   using Closest = graze::Closest<double>;
+  using Distance = graze::Distance<double>;
+  using PieceDistance = graze::PieceDistance<double>;
   static_assert(sizeof(Pose) == 7 * sizeof(double), "seven numbers a pose, as NumPy's rows have them");
 
   static constexpr py::ssize_t vector_size = 3, turning_size = 3, pose_size = 7;

@@ -9,8 +9,8 @@ namespace {
 
 void add_handles(py::module_& m) {
   py::class_<BodyId>(m, "BodyId", "A handle of a body: its index, and how often that was given away before.")
-      .def_readonly("index", &BodyId::index)
-      .def_readonly("generation", &BodyId::generation)
+      .def_readonly("index", &BodyId::index, "The place in all arrays of the world.")
+      .def_readonly("generation", &BodyId::generation, "How often the index was given away before.")
       .def(
           "__eq__", [](const BodyId& a, const BodyId& b) { return a == b; }, py::is_operator())
       .def("__hash__", [](const BodyId& id) { return py::hash(py::make_tuple(id.index, id.generation)); })
@@ -28,9 +28,10 @@ group: of equal groups, positive always collide and negative never; 0 is no grou
            }),
            py::arg("category") = Whole(Filter{}.category), py::arg("mask") = Whole(Filter{}.mask),
            py::arg("group") = Whole(Filter{}.group))
-      .def_readonly("category", &Filter::category)
-      .def_readonly("mask", &Filter::mask)
-      .def_readonly("group", &Filter::group)
+      .def_readonly("category", &Filter::category, "The bits that the body belongs to.")
+      .def_readonly("mask", &Filter::mask, "The bits that it collides with.")
+      .def_readonly("group", &Filter::group,
+                    "Bodies of one group collide always if it is positive, never if negative; 0 is no group.")
       .def(pickled<Filter>(&Filter::category, &Filter::mask, &Filter::group))
       .def("__repr__", [](const Filter& f) {
         return py::str("graze.Filter(category={}, mask={}, group={})").format(f.category, f.mask, f.group);

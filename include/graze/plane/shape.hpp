@@ -49,6 +49,14 @@ class Shape {
     return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
   }
 
+  /// Whether the shape is one convex piece.
+  bool convex() const {
+    return visit([](const auto& c) {
+      using C = std::decay_t<decltype(c)>;
+      return !std::is_same_v<C, Polygon<T>> && !std::is_same_v<C, Chain<T>> && !std::is_same_v<C, Compound<T>>;
+    });
+  }
+
   /// The shape as `C`, or null when it is of another kind.
   template <class C>
   const C* as() const {
