@@ -197,7 +197,7 @@ export const epaSpace: Lesson = {
     return steps;
   },
   tryThis: [
-    { label: "Barely touching", note: "The origin is close to the boundary: the first triangles are nearly right, and the bounds close fast.", state: spaceState([1.15, 0.75, 0.3], quatAbout([0.3, 0.2, 1], 0.7)) },
+    { label: "Barely touching", note: "The origin is close to the boundary: fewer steps than deep inside.", state: spaceState([1.15, 0.75, 0.3], quatAbout([0.3, 0.2, 1], 0.7)) },
     { label: "Flat on flat", note: "All faces of the difference are flat: after a few steps the bounds meet exactly, and the last finds no new corner.", state: { q: { query: "distance",
       a: { shape: box(1.8, 1.2, 1.4) }, b: { shape: convex([[-0.8, -0.6, -0.7], [0.8, -0.6, -0.7], [0, 0.9, 0], [-0.8, -0.6, 0.7], [0.8, -0.6, 0.7]]), translation: [0.9, 0.7, 0.2], rotation: quatAbout([0.2, 1, 0.4], 0.5) } } } },
     { label: "Deeper", note: "More faces are nearly as near as the nearest.", state: spaceState([0.2, 0.1, 0.1], quatAbout([0.3, 0.2, 1], 0.7)) },
