@@ -62,6 +62,25 @@ test("GJK: what ends the search is said as it is: inside, on an edge, far away, 
   await space.context().close();
 });
 
+test("GJK: the origin lies in the region that is drawn, in each iteration after the first", async () => {
+  const page = await visit("#/lesson/gjk", small);
+  for (const label of [null, "Origin inside", "Thin shapes"]) {
+    if (label) await example(page, label);
+    const { trace } = await traced(page);
+    for (let i = 1; i < trace.gjk.length; i++) {
+      await step(page, new RegExp(`^Iteration ${i + 1}:`));
+      const inside = await page.$$eval(".stage2 polygon.area.dashed", (list) => list.map((area) => {
+        const place = area.ownerSVGElement.createSVGPoint();
+        [place.x, place.y] = window.lab.stage.pixel([1, -4.6]);
+        return area.isPointInFill(place);
+      }));
+      assert.deepEqual(inside, [true], `${label}, iteration ${i + 1}`);
+    }
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 /** Lessons whose steps are those of an answer: the number of steps before, and the library's numbers of each. */
 const walks = {
   spheres: (_, question) => {
