@@ -8,6 +8,7 @@ import { runAll } from "./browser/harness.mjs";
 import "./browser/every-lesson.mjs";
 import "./browser/scenes.mjs";
 import "./browser/viewer.mjs";
+import "./browser/questions.mjs";
 import "./browser/files.mjs";
 import "./browser/captures.mjs";
 import "./browser/stages.mjs";

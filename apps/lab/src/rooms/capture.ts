@@ -22,7 +22,7 @@ import { askPair, drawFound, drawPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, colored, counted, keyOf, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
 import { Run } from "../scene/run.ts";
 import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
-import { drawShot } from "../scene/shots.ts";
+import type { Shot } from "../scene/shots.ts";
 import { opener, type Served } from "../scene/source.ts";
 import { explained, TraceSteps } from "../scene/trace-steps.ts";
 import type { Room } from "./room.ts";
@@ -76,6 +76,8 @@ export class CaptureRoom implements Room {
   private whole: Whole | null = null;
   private readonly steps = new TraceSteps(() => (this.paint(), this.still.call()));
   private readonly shooting: Shooting;
+  /** The answer to what was aimed at in this frame. */
+  private shot: Shot | null = null;
 
   /** `onScene` gets a frame as a scene, `onFiles` the files that are chosen to be opened in place of the capture. */
   constructor(name: string, captured: Captured, origin: Origin, onScene: (scene: Scene) => void, onFiles: (files: File[]) => void) {
@@ -178,6 +180,7 @@ export class CaptureRoom implements Room {
   /** Of another frame nothing that was shot is true any more. */
   private leave(): void {
     this.shooting.forget();
+    this.shot = null;
     this.whole?.run.dispose();
     this.whole = null;
   }
@@ -198,8 +201,8 @@ export class CaptureRoom implements Room {
     try {
       const { everything } = this;
       if (!this.shooting.click(sight, everything.run, everything.scene, this.thrown(everything))) return;
-      const { shot } = this.shooting;
-      if (shot!.question) this.inquiry.offer(shot!.question);
+      this.shot = this.shooting.shot(everything.run, everything.scene);
+      this.inquiry.answer(this.shot!);
       this.paint();
     } catch (error) {
       this.say((error as Error).message); // two clicks at one place are no direction
@@ -256,13 +259,12 @@ export class CaptureRoom implements Room {
   }
   private paint(): void {
     const { there, pairs } = this.now;
-    this.steps.take(...explained(this.asked?.pair ?? null, this.shooting.shot, this.selected));
+    this.steps.take(...explained(this.asked?.pair ?? null, this.shooting.aim, this.shot, this.selected));
     this.stage.draw((d) => this.draw(d), [], `Frame ${this.frame + 1} of ${this.captured.frames.length}: ${there.size} bodies, ${pairs.length} pairs.`);
   }
   private draw(d: Drawing): void {
-    const { shot } = this.shooting;
     drawFound(d, this.now.pairs, { selected: this.selected, draws: (layer) => this.layers.has(layer), seen: this.stage.seen });
-    if (shot && this.whole && this.layers.has("shots")) drawShot(d, this.whole.run, shot, this.stage.seen);
+    if (this.shot && this.layers.has("shots")) this.shot.draw(d, this.stage.seen);
     this.steps.draw(d, this.stage.seen);
     if (!this.asked) return;
     const { run, numbers, pair: selected } = this.asked;

@@ -9,6 +9,7 @@ import { address, cameraOf, cameraText, History, parse, whenStill } from "../par
 import { Table } from "../parts/table.ts";
 import type { Question, Vec } from "../question.ts";
 import type { Captured } from "../scene/captured.ts";
+import { sceneOfQuestion } from "../scene/asked.ts";
 import { Catalogue } from "../scene/catalogue.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { dragBody } from "../scene/drag.ts";
@@ -16,8 +17,7 @@ import { Inquiry } from "../scene/inquiry.ts";
 import { sceneLayers } from "../scene/layers.ts";
 import { materialFields } from "../scene/materials.ts";
 import type { Scene } from "../scene/model.ts";
-import { beginning, isMoment, isScene, movedBodies, packed, type Moment } from "../scene/moment.ts";
-import { sceneOfQuestion } from "../scene/open.ts";
+import { beginning, isMoment, isScene, movedBodies, opening, packed, type Moment } from "../scene/moment.ts";
 import { askPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, colored, counted, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
 import { crowdOf, drawOverlay, graphsOf, handlesOf, stagesOf, viewOf } from "../scene/picture.ts";
@@ -25,6 +25,7 @@ import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { Settings } from "../scene/settings.ts";
 import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
+import { aimsAt, type Shot } from "../scene/shots.ts";
 import { explained, TraceSteps } from "../scene/trace-steps.ts";
 import { Source, type Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
@@ -51,6 +52,10 @@ export class SceneRoom implements Room {
   private found: Pair[] = [];
   /** The selected bodies, where they are drawn. */
   private pair: AskedPair | null = null;
+  /** The answer to what was aimed at. */
+  private shot: Shot | null = null;
+  /** Whether somebody aimed later than they selected: the words are about that then. */
+  private aimed = false;
   private draws = 0;
   private drawTime = 0;
   private readonly source: Source;
@@ -67,7 +72,7 @@ export class SceneRoom implements Room {
   private readonly toggle = button("Play", () => this.play.toggle(), { class: "accent", "data-play": true });
   private readonly settings = new Settings((changed) => this.set(changed));
   /** The part of the address about a scene that has not come yet. */
-  private expected: { moment: Moment; camera: Vec | null } | null = null;
+  private expected: { moment: Partial<Moment>; camera: Vec | null } | null = null;
 
   constructor(values: Record<string, string>, onCapture: OnCapture) {
     this.source = new Source({
@@ -88,7 +93,7 @@ export class SceneRoom implements Room {
     this.begun(values);
   }
   private begun(values: Record<string, string>): void {
-    const moment = { ...beginning, ...parse<Partial<Moment>>(values.at, {}, isMoment) }, camera = cameraOf(values.view);
+    const moment = parse<Partial<Moment>>(values.at, {}, isMoment), camera = cameraOf(values.view);
     this.expected = { moment, camera };
     if (values.file) this.open(this.play.scene);
     if (values.file) return this.source.watch(values.file);
@@ -103,7 +108,7 @@ export class SceneRoom implements Room {
   }
   /** Opens a scene that has come, at the moment in the address. */
   private opened(scene: Scene, key: string | null = null): void {
-    this.open(scene, key, this.expected?.moment);
+    this.open(scene, key, this.expected && { ...opening(scene), ...this.expected.moment });
     if (this.expected) this.stage.camera = this.expected.camera;
     this.expected = null;
     this.remember();
@@ -131,7 +136,12 @@ export class SceneRoom implements Room {
 
   private get moment(): Moment {
     return { places: movedBodies(this.play.scene, this.before), selected: this.selected, subSteps: this.play.subSteps, gravity: this.play.heavy,
-      ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
+      aim: this.shooting.aim, ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
+  }
+  /** The settings that stay from one scene to the next. */
+  private get kept(): Partial<Moment> {
+    const { subSteps, gravity, speed, layers } = this.moment;
+    return { subSteps, gravity, speed, layers };
   }
   /** Records the moment after everything that somebody did, but for playing. */
   private remember(): void {
@@ -147,8 +157,9 @@ export class SceneRoom implements Room {
       if (!text) return;
       values.s = text;
     }
-    // The moment is spread over the beginning, so that both have their keys in one order.
-    if (JSON.stringify({ ...beginning, ...moment }) !== JSON.stringify(beginning)) values.at = JSON.stringify(moment);
+    // The moment is spread over the first one, so that both have their keys in one order.
+    const first = opening(scene);
+    if (JSON.stringify({ ...first, ...moment }) !== JSON.stringify(first)) values.at = JSON.stringify(moment);
     const { camera } = this.stage;
     if (camera) values.view = cameraText(camera);
     history.replaceState(null, "", address("/scene", values));
@@ -164,6 +175,8 @@ export class SceneRoom implements Room {
     this.settings.show(moment);
     for (const [i, body] of scene.bodies.entries()) Object.assign(body, moment.places[i] ?? this.before[i]);
     this.selected = moment.selected.filter((i) => i >= 0 && i < scene.bodies.length);
+    this.shooting.aim = aimsAt(moment.aim, scene) ? moment.aim : null;
+    this.aimed = this.shooting.aim !== null;
   }
   private restore(moment: Moment | null): void {
     if (!moment) return;
@@ -199,15 +212,16 @@ export class SceneRoom implements Room {
 
   // --- Scenes ---
 
-  private open(scene: Scene, key: string | null = null, moment: Moment = { ...this.moment, places: {}, selected: [], traceStep: -1 }): void {
+  private open(scene: Scene, key: string | null = null, moment: Moment | null = null): void {
     this.key = key;
     this.trouble.hidden = true;
     this.shooting.forget();
     this.before = scene.bodies.map(({ translation, rotation }) => ({ translation, rotation }));
     try {
       this.play.open(scene);
-      this.take(moment);
-      if (Object.keys(moment.places).length > 0) this.play.begin();
+      const first = moment ?? { ...opening(scene), ...this.kept };
+      this.take(first);
+      if (Object.keys(first.places).length > 0) this.play.begin();
     } catch (error) {
       this.say(`${scene.name}: ${(error as Error).message}`);
       this.before = this.selected = [];
@@ -242,15 +256,16 @@ export class SceneRoom implements Room {
     try {
       const { run, scene } = this.play;
       if (!this.shooting.click(sight, run, scene, this.selected[0])) return;
-      const { shot } = this.shooting;
-      if (shot!.question) this.inquiry.offer(shot!.question);
-      this.paint();
+      this.aimed = true;
+      this.show();
+      this.remember();
     } catch (error) {
       this.say((error as Error).message); // two clicks at one place are no direction
     }
   }
   private select(selected: number[]): void {
     this.selected = selected;
+    this.aimed = false;
     this.show();
     this.remember();
   }
@@ -280,10 +295,12 @@ export class SceneRoom implements Room {
     if (!running || energy.length % (this.few ? 6 : 30) === 0) this.tell();
   }
   private paint(): void {
-    this.pair = askPair(this.play.run, this.selected);
-    this.steps.take(...explained(this.pair, this.shooting.shot, this.selected));
+    const { run, scene } = this.play;
+    this.pair = askPair(run, this.selected, scene.question);
+    this.shot = this.shoot();
+    this.steps.take(...explained(this.pair, this.shooting.aim, this.shot, this.selected));
     const { play, found, selected, pair, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
-    const overlay = { found, selected, pair, shot: this.shooting.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
+    const overlay = { found, selected, pair, shot: this.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
     this.draws++;
     this.stage.hasGrid = this.layers.has("grid");
     this.stage.crowd.group.visible = this.layers.has("bodies");
@@ -293,6 +310,16 @@ export class SceneRoom implements Room {
     }, handlesOf(play, selected[0], seen),
       `${name}: ${bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
+  /** The answer to what was aimed at; of what the library refuses, as an address may hold it, nothing is left. */
+  private shoot(): Shot | null {
+    try {
+      return this.shooting.shot(this.play.run, this.play.scene);
+    } catch (error) {
+      this.shooting.forget();
+      this.say((error as Error).message);
+      return null;
+    }
+  }
   private tell(): void {
     const { scene, run, stepTime, stages } = this.play, found = this.few ? this.found : run.contacts();
     this.counter.textContent = counted(scene.bodies.length, found) +
@@ -301,9 +328,9 @@ export class SceneRoom implements Room {
     this.plot.replaceChildren(...graphsOf(this.play));
     const [i] = this.selected;
     this.materials.replaceChildren(...(i === undefined ? [] : materialFields(run, i, scene.bodies[i], (refused) => this.say(refused))));
-    if (this.shooting.shot && i === undefined) return;
-    this.inquiry.show({ run, bodies: scene.bodies, selected: this.selected, pair: this.pair,
+    this.inquiry.show({ run, bodies: scene.bodies, joints: scene.joints, selected: this.selected, pair: this.pair,
       partners: (body) => partnersOf(body, found, (other) => scene.bodies[other].name) });
+    if (this.shot && (this.aimed || i === undefined)) this.inquiry.answer(this.shot);
   }
 
   private page(): HTMLElement {

@@ -7,15 +7,18 @@ import { featureWords } from "../parts/features.ts";
 import { address } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import type { Question } from "../question.ts";
-import type { SceneBody } from "./model.ts";
+import { unmet } from "./meeting.ts";
+import type { Scene, SceneBody } from "./model.ts";
 import { lessonsOf, type AskedPair } from "./pair.ts";
 import { propertiesOf } from "./properties.ts";
 import type { Run } from "./run.ts";
+import type { Shot } from "./shots.ts";
 
 /** Bodies, of which none, one or two are selected. */
 export interface Selection {
   run: Run;
   bodies: SceneBody[];
+  joints?: Scene["joints"];
   selected: number[];
   /** The relation of two selected bodies. */
   pair: AskedPair | null;
@@ -49,6 +52,11 @@ export class Inquiry {
   offer(question: Question): void {
     this.asked.value = line(question);
   }
+  /** Shows the answer to what was aimed at, and its question. */
+  answer({ title, words, question }: Shot): void {
+    this.tell(title, words);
+    if (question) this.offer(question);
+  }
   show(of: Selection | null): void {
     const [first] = of?.selected ?? [];
     if (!of || first === undefined) {
@@ -58,14 +66,15 @@ export class Inquiry {
       this.tell(of.bodies[first].name, "Click another to see what the two have to do with each other.");
       this.table.show(propertiesOf(of.run, of.bodies[first], first, of.partners(first)));
     } else {
-      this.explain(of.bodies, of.pair);
+      this.explain(of, of.pair);
     }
   }
-  private explain(bodies: SceneBody[], { bodies: [i, j], question, distance }: AskedPair): void {
-    const answer = ask(question);
-    const touch = answer.overlap ? "They touch" : "They are apart";
+  private explain(of: Selection, { bodies: [i, j], question, distance }: AskedPair): void {
+    const { bodies, run } = of, answer = ask(question), why = unmet(of, i, j, run.played);
+    const touch = !answer.overlap ? "They are apart" : why ? "They overlap" : "They touch";
     this.tell(`${bodies[i].name} and ${bodies[j].name}`,
       answer.error ?? distance.error ?? `${touch}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`,
+      ...(why ? [h("p", {}, why)] : []),
       ...lessonsOf(question, distance.trace).map(({ lesson, shows, state }) =>
         h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, `Step through ${shows}`))));
     this.offer(question);

@@ -1,7 +1,7 @@
 // A scene: bodies with shapes and poses, as files and the built-in list give them.
 
 import type { graze } from "../graze.ts";
-import type { Body, Shape, Vec } from "../question.ts";
+import type { Body, Question, Shape, Vec } from "../question.ts";
 
 /** Poses and velocities are those of space in the plane too, with z = 0 and turns about Z. Velocities are of the origin. */
 export interface SceneBody extends Body {
@@ -18,7 +18,7 @@ export interface SceneBody extends Body {
   trigger?: boolean;
   /** Whether it is of a frame of a capture: its filter is not known. */
   captured?: boolean;
-  filter?: { category: number; mask: number };
+  filter?: { category: number; mask: number; group?: number };
   material?: graze.Material | graze.plane.Material;
 }
 /** Ties two bodies, or one to the world where the other is null. */
@@ -39,6 +39,8 @@ export interface Scene {
   dimension?: 2;
   gravity?: Vec;
   joints?: SceneJoint[];
+  /** The question that the scene was made of, whose bodies are its own in their order. */
+  question?: Question;
   view?: { center: Vec; reach: number; from?: Vec };
   note?: string;
 }

@@ -1,12 +1,14 @@
 // The state of the viewer in the address and in undo: the places of bodies, the selected ones, and how time runs.
 
-import type { Vec } from "../question.ts";
 import { speeds } from "../parts/timeline.ts";
+import type { Vec } from "../question.ts";
+import { asksMore } from "./asked.ts";
 import type { Scene } from "./model.ts";
 import type { Place } from "./run.ts";
+import { isAim, type Aim } from "./shots.ts";
 
 /** The questions whose answer is explained. */
-const explained = ["overlap", "distance", "contacts", "cast", "raycast"] as const;
+const explained = ["overlap", "distance", "contacts", "cast", "raycast", "closest", "response"] as const;
 export type Explained = (typeof explained)[number];
 /** What scenes and captures have in common. */
 export interface Shown {
@@ -24,10 +26,18 @@ export interface Moment extends Shown {
   places: Record<number, Place>;
   subSteps: number;
   gravity: boolean;
+  /** What was shot or measured last. */
+  aim: Aim | null;
 }
 
 export const firstShown: Shown = { selected: [], explained: "distance", traceStep: -1, speed: 1, layers: [] };
-export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: true };
+export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: true, aim: null };
+/** The moment at which a scene is opened: one that was made of a question answers it. */
+export function opening({ question, bodies }: Scene): Moment {
+  if (!question) return beginning;
+  const asked = explained.find((one) => one === question.query) ?? beginning.explained;
+  return { ...beginning, explained: asked, ...(asksMore(question) ? { aim: { kind: "question" } } : { selected: bodies.map((_, i) => i) }) };
+}
 
 const isNumbers = (value: unknown, count: number): value is Vec =>
   Array.isArray(value) && value.length === count && value.every((x) => typeof x === "number" && Number.isFinite(x));
@@ -43,9 +53,9 @@ export function isShown(value: unknown): boolean {
 }
 /** Whether a value of an address is one of a scene's moment, likewise. */
 export function isMoment(value: unknown): boolean {
-  const { places, subSteps, gravity } = { ...beginning, ...(value as Partial<Moment> | null) };
+  const { places, subSteps, gravity, aim } = { ...beginning, ...(value as Partial<Moment> | null) };
   return isShown(value) && typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
-    [1, 2, 4, 8, 16].includes(subSteps) && typeof gravity === "boolean";
+    [1, 2, 4, 8, 16].includes(subSteps) && typeof gravity === "boolean" && isAim(aim);
 }
 
 /** The moved bodies of a scene that began as `before`. */
@@ -64,7 +74,8 @@ export function packed(scene: Scene): string | null {
 }
 /** Whether a value of an address is a scene, as far as `Run` does not refuse it by itself. */
 export function isScene(value: unknown): boolean {
-  const { name, bodies } = (value ?? {}) as Partial<Scene>;
-  return typeof name === "string" && Array.isArray(bodies) &&
+  const { name, bodies, question } = (value ?? {}) as Partial<Scene>;
+  const asked = (which: "a" | "b"): boolean => typeof (question?.[which] ?? {}) === "object";
+  return typeof name === "string" && Array.isArray(bodies) && (question === undefined || (asked("a") && asked("b") && bodies.length > 0)) &&
     bodies.every((b) => typeof b?.name === "string" && typeof b.shape?.type === "string" && isPlace(b));
 }

@@ -5,14 +5,13 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { PLYLoader } from "three/examples/jsm/loaders/PLYLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import type { graze } from "../graze.ts";
-import { three } from "../parts/vec.ts";
 import type { Question, Shape, Vec } from "../question.ts";
+import { sceneOfQuestion } from "./asked.ts";
 import type { Gltf } from "./gltf-data.ts";
 import { meshShape, Unreadable } from "./meshes.ts";
 import { turned, type Scene, type SceneBody } from "./model.ts";
 import { readGlb, readGltf } from "./open-gltf.ts";
 import { readSvg, sceneOfPlane } from "./open-plane.ts";
-import { about } from "./run.ts";
 
 function fromGeometry(geometry: THREE.BufferGeometry): Shape {
   const position = geometry.getAttribute("position");
@@ -24,15 +23,6 @@ function fromGeometry(geometry: THREE.BufferGeometry): Shape {
 }
 const still = (name: string, shape: Shape): SceneBody => ({ name, shape, translation: [0, 0, 0], rotation: turned, moves: false });
 
-/** A question as a scene of its two bodies. */
-export function sceneOfQuestion(q: Question): Scene {
-  const bodies = (["a", "b"] as const).filter((w) => q[w]).map((w): SceneBody => {
-    const { translation, rotation } = q[w]!, turn = Array.isArray(rotation) ? rotation : rotation ? about(rotation) : turned;
-    return { ...q[w]!, name: w.toUpperCase(), translation: three(translation ?? [0, 0]), rotation: turn, moves: w === "b", mass: undefined };
-  });
-  if (bodies.length === 0) throw new Unreadable("expected a question about bodies");
-  return { name: `a question: ${q.query}`, bodies, ...(q.dimension === 2 ? { dimension: 2 as const } : {}) };
-}
 /** The scene of one question, the first of many, or a scene of the plane. */
 function readJson(text: string, name: string): Scene {
   const whole = ((): unknown => {

@@ -9,9 +9,11 @@ import { circle, radiusOf, type Body, type Question, type State, type Vec } from
 import { keyOf } from "./pairs.ts";
 import type { Pair, Run } from "./run.ts";
 
-/** The question about two bodies where they are now, up to the margin with which they keep their points at rest. */
-function questionOf(run: Run, i: number, j: number): Question {
-  return { query: "contacts", ...(run.flat ? { dimension: 2 as const } : {}), a: run.asked(i), b: run.asked(j), margin: run.margin(i, j) };
+/** The question about two bodies where they are now, up to the margin that was asked for, else the one with which they
+ *  keep their points at rest. */
+function questionOf(run: Run, i: number, j: number, asked?: Question): Question {
+  const margin = asked?.query === "contacts" ? (asked.margin ?? 0) : run.margin(i, j);
+  return { query: "contacts", ...(run.flat ? { dimension: 2 as const } : {}), a: run.asked(i), b: run.asked(j), margin };
 }
 /** Two bodies by their places in a run, the question about them, and their signed distance, which does not depend on a
  *  margin. */
@@ -20,10 +22,11 @@ export interface AskedPair {
   question: Question;
   distance: Answer;
 }
-/** The pair of two selected bodies, computed once for its facts and its drawing; none unless two are selected. */
-export function askPair(run: Run, [i, j]: number[]): AskedPair | null {
+/** The pair of two selected bodies, computed once for its facts and its drawing; none unless two are selected. `asked` is
+ *  the question that the scene was made of. */
+export function askPair(run: Run, [i, j]: number[], asked?: Question): AskedPair | null {
   if (i === undefined || j === undefined) return null;
-  const question = questionOf(run, i, j);
+  const question = questionOf(run, i, j, asked);
   return { bodies: [i, j], question, distance: ask({ ...question, query: "distance", margin: undefined } as Question) };
 }
 

@@ -8,12 +8,13 @@ import { drawGraph } from "../parts/graph.ts";
 import { solidOf } from "../parts/solid.ts";
 import { add, length, rotate, scale, sub } from "../parts/vec.ts";
 import type { Vec } from "../question.ts";
+import { placesIn } from "./asked.ts";
 import { axes } from "./drag.ts";
 import type { Scene } from "./model.ts";
 import { drawFound, drawPair, type AskedPair } from "./pair.ts";
 import type { Play } from "./play.ts";
 import { reachOf, type Pair, type Run, type Stages } from "./run.ts";
-import { drawShot, type Shot } from "./shots.ts";
+import type { Shot } from "./shots.ts";
 
 /** A view of everything. */
 function whole(run: Run, scene: Scene): View {
@@ -23,6 +24,10 @@ function whole(run: Run, scene: Scene): View {
     const bounds = run.bounds(i, true);
     lower = lower.map((x, k) => Math.min(x, bounds.lower[k]));
     upper = upper.map((x, k) => Math.max(x, bounds.upper[k]));
+  }
+  for (const place of scene.question ? placesIn(scene.question) : []) {
+    lower = lower.map((x, k) => Math.min(x, place[k]));
+    upper = upper.map((x, k) => Math.max(x, place[k]));
   }
   if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
   return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.47) };
@@ -58,7 +63,7 @@ export function drawOverlay(d: Drawing, play: Play, { found, selected, pair, sho
   if (pair && draws("pair")) drawPair(d, run, pair);
   if (other !== undefined) d.text(run.place(other).translation, "B", "b");
   if (pull) d.line(run.place(pull.body).translation, pull.to, "made", { wide: true });
-  if (shot && draws("shots")) drawShot(d, run, shot, seen);
+  if (shot && draws("shots")) shot.draw(d, seen);
 }
 /** The handles of the first selected body: it is moved freely and along the axes, and turned while it stands still. */
 export function handlesOf({ run, scene, pull, running }: Play, body: number | undefined, seen: number): Handle[] {

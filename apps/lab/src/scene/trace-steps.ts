@@ -1,27 +1,29 @@
 // What the library did to answer a question about the selected bodies, or about what was shot, a step at a time: its own
 // drawing of the trace upon the scene. Which question is explained is chosen.
 
-import { ask, line, type Answer, type Trace } from "../graze.ts";
+import { ask, type Answer, type Trace } from "../graze.ts";
 import { drawCast, drawDistance, drawRay, drawTrace, endOf } from "../parts/answers.ts";
-import { button, digits, h } from "../parts/dom.ts";
-import type { Drawing } from "../parts/drawing.ts";
+import { button, digits, h, vector } from "../parts/dom.ts";
+import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { add, scale } from "../parts/vec.ts";
 import type { Body, Question, Vec } from "../question.ts";
+import { drawMotions } from "./asked.ts";
 import { firstShown, type Explained, type Shown } from "./moment.ts";
 import type { AskedPair } from "./pair.ts";
-import type { Shot } from "./shots.ts";
+import type { Aim, Shot } from "./shots.ts";
 
 type ShownTrace = Pick<Shown, "explained" | "traceStep">;
 /** The questions about a pair, in the order in which they are listed. */
 const ofPairs = ["overlap", "distance", "contacts"] as const;
 const labels: Record<Explained, string> = {
-  overlap: "Do they overlap?", distance: "How far apart?", contacts: "Where do they touch?", cast: "When does it touch?", raycast: "Where does the ray enter?" };
+  overlap: "Do they overlap?", distance: "How far apart?", contacts: "Where do they touch?", cast: "When does it touch?", raycast: "Where does the ray enter?",
+  closest: "Where is its surface nearest?", response: "How do they go on?" };
 
-/** The questions that can be explained about a pair and what was shot, and a key of what they are about. */
-export function explained(pair: AskedPair | null, shot: Shot | null, selected: number[]): [Question[], string] {
-  const { margin, ...bare } = pair?.question ?? ({} as Question), shots = shot?.question && shot.kind !== "measure" ? [shot.question] : [];
+/** The questions that can be explained about a pair and what was aimed at, and a key of what they are about. */
+export function explained(pair: AskedPair | null, aim: Aim | null, shot: Shot | null, selected: number[]): [Question[], string] {
+  const { margin, ...bare } = pair?.question ?? ({} as Question), shots = shot?.question && aim?.kind !== "measure" ? [shot.question] : [];
   const about = pair ? ofPairs.map((query): Question => ({ ...bare, query, ...(query === "contacts" ? { margin } : {}) })) : [];
-  return [[...about, ...shots], [...selected, ...shots.map(line)].join(" ")];
+  return [[...about, ...shots], JSON.stringify([selected, aim])];
 }
 
 /** A step in words, and what is drawn for it. */
@@ -30,6 +32,8 @@ interface TraceStep {
   draw(d: Drawing, size: number): void;
 }
 const inSpace = ([x, y, z = 0]: Vec): Vec => [x, y, z];
+/** A normal of a trace, which has three numbers, for the drawing of a ray of either dimension. */
+const asLongAs = (normal: Vec, { origin }: { origin: Vec }): Vec => normal.slice(0, origin.length);
 const placeOf = ({ translation }: Body): Vec => inSpace(translation ?? [0, 0, 0]);
 
 /** The axes, iterations, expansions and cuts of a trace, in the order in which the library counts them. */
@@ -57,7 +61,7 @@ function entered({ ray, a }: Question, { spans = [] }: Trace): TraceStep[] {
     return { words: `${name}: ${misses ? "never inside" : `inside from ${digits(span[0], 5)} to ${digits(span[1], 5)}`}`, draw(d, size) {
       if (misses || !Number.isFinite(enter)) return drawRay(d, ray as never, null, { size, center: placeOf(a), look: { wide: true } });
       const along = scale(ray!.direction, 1 / Math.hypot(...ray!.direction));
-      drawRay(d, ray as never, { t: enter, point: add(ray!.origin, scale(along, enter)), normal } as never, { size, look: { wide: true }, label: name });
+      drawRay(d, ray as never, { t: enter, point: add(ray!.origin, scale(along, enter)), normal: asLongAs(normal, ray!) } as never, { size, look: { wide: true }, label: name });
     } };
   });
 }
@@ -69,7 +73,7 @@ function advanced(question: Question, { steps = [] }: Trace): TraceStep[] {
       const look = { wide: true };
       if (ray) {
         const point = add(ray.origin, scale(ray.direction, t / Math.hypot(...ray.direction)));
-        return drawRay(d, ray as never, { t, point, normal } as never, { size, look });
+        return drawRay(d, ray as never, { t, point, normal: asLongAs(normal, ray) } as never, { size, look });
       }
       drawCast(d, question, t, { look });
       const { linear, angular: _, ...there } = a, { linear: other, angular: __, ...met } = b!;
@@ -78,8 +82,26 @@ function advanced(question: Question, { steps = [] }: Trace): TraceStep[] {
       if (apart.distance! > 0) drawDistance(d, apart, { look });
     } }));
 }
-const stepsOf = (question: Question, { trace }: Answer): TraceStep[] =>
-  [...entered(question, trace), ...advanced(question, trace), ...(question.query === "cast" || question.query === "raycast" ? [] : searched(question, trace))];
+/** What a blow does: how fast the bodies meet at the point, what stops that, and how they go on. */
+function struck(question: Question, answer: Answer): TraceStep[] {
+  const { relativeVelocity: meets, friction, effectiveMass } = answer.trace, { point, normal } = question.contact!;
+  if (!meets) return [];
+  const arrow = (d: Drawing, by: Vec, meaning: Meaning, label: string): void => d.arrow(point, add(point, by), meaning, { wide: true, label });
+  const before = (d: Drawing): void => drawMotions(d, question, answer, false);
+  const along = answer.normalImpulse!;
+  return [
+    { words: `At the point they meet with ${vector(meets.whole, 4)}: ${digits(meets.normal, 5)} along the normal`, draw: (d) => (before(d), arrow(d, meets.whole, "made", "v")) },
+    { words: `The normal impulse is ${digits(along, 5)}: they resist with ${digits(effectiveMass, 5)}`, draw: (d) => (before(d), arrow(d, scale(normal, along), "touch", "j")) },
+    ...(friction ? [{ words: `Friction gives at most ${digits(friction.limit, 5)}: it ${friction.holds ? "holds" : "slips"}`,
+      draw: (d: Drawing) => (before(d), arrow(d, friction.impulse, "touch", "friction")) }] : []),
+    { words: `The whole impulse on B is ${vector(answer.impulse, 4)}`, draw: (d) => (drawMotions(d, question, answer), arrow(d, answer.impulse!, "touch", "impulse")) }];
+}
+function stepsOf(question: Question, answer: Answer): TraceStep[] {
+  const { trace } = answer;
+  if (answer.error) return [];
+  if (question.query === "response") return struck(question, answer);
+  return [...entered(question, trace), ...advanced(question, trace), ...(question.query === "cast" || question.query === "raycast" ? [] : searched(question, trace))];
+}
 
 export class TraceSteps {
   readonly element = h("div", { class: "actions trace-steps", role: "group", "aria-label": "Steps of the answer", hidden: true });
