@@ -9,6 +9,7 @@ import "./browser/every-lesson.mjs";
 import "./browser/scenes.mjs";
 import "./browser/viewer.mjs";
 import "./browser/questions.mjs";
+import "./browser/time.mjs";
 import "./browser/files.mjs";
 import "./browser/captures.mjs";
 import "./browser/stages.mjs";

@@ -16,7 +16,7 @@ import { fileURLToPath } from "node:url";
  *  letter. */
 const least = 10;
 /** The meanings of parts/drawing.ts. */
-const meanings = ["a", "b", "touch", "axis", "out", "made", "trigger", "ink"];
+const meanings = ["a", "b", "touch", "axis", "out", "made", "trigger", "asleep", "ink"];
 
 const visions = {
   usual: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],

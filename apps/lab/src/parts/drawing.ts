@@ -4,8 +4,9 @@
 import type { Body, Vec } from "../question.ts";
 
 /** a, b: the two bodies. touch: contacts and overlaps. axis: normals and axes. out: ruled out. made: built by an
- *  algorithm. trigger: bodies that only report contacts. ink: neutral. */
-export type Meaning = "a" | "b" | "touch" | "axis" | "out" | "made" | "trigger" | "ink";
+ *  algorithm. trigger: bodies that only report contacts. asleep: bodies that rest until something wakes them. ink:
+ *  neutral. */
+export type Meaning = "a" | "b" | "touch" | "axis" | "out" | "made" | "trigger" | "asleep" | "ink";
 
 export interface Look {
   label?: string;

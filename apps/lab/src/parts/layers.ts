@@ -13,6 +13,8 @@ export interface Layer {
   id: string;
   label: string;
   entries: Entry[];
+  /** A sentence below the entries. */
+  says?: string;
   /** Whether it is not drawn before somebody switches it on. */
   off?: boolean;
 }
@@ -24,11 +26,11 @@ export class Layers {
 
   constructor(layers: Layer[], onChange: () => void) {
     this.layers = layers;
-    this.element = h("details", { class: "legend" }, h("summary", {}, "Legend and layers"), h("ul", {}, ...layers.map(({ id, label, entries, off }) => {
+    this.element = h("details", { class: "legend" }, h("summary", {}, "Legend and layers"), h("ul", {}, ...layers.map(({ id, label, entries, says, off }) => {
       const box = h("input", { type: "checkbox", checked: !off, "data-layer": id, onchange: onChange }) as HTMLInputElement;
       this.boxes.set(id, box);
       return h("li", {}, h("label", {}, box, ` ${label}`), ...entries.map(({ meaning, sign, says }) =>
-        h("span", { class: "entry" }, h("span", { class: `sign of-${meaning}`, "aria-hidden": "true" }, sign), ` ${says}`)));
+        h("span", { class: "entry" }, h("span", { class: `sign of-${meaning}`, "aria-hidden": "true" }, sign), ` ${says}`)), says && h("span", { class: "entry" }, says));
     })));
   }
   has(id: string): boolean {

@@ -57,6 +57,12 @@ export class History<T> {
     this.future = [];
     this.now = text;
   }
+  get hasPast(): boolean {
+    return this.past.length > 0;
+  }
+  get hasFuture(): boolean {
+    return this.future.length > 0;
+  }
   undo(): T | null {
     return this.swap(this.past, this.future);
   }

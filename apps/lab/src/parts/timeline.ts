@@ -9,6 +9,36 @@ export const speedSelect = (): HTMLSelectElement =>
   h("select", { class: "speed", "aria-label": "Speed of play", title: "Speed of play" },
     ...[...speedWords].map(([value, text]) => h("option", { value, selected: value === 1 }, text))) as HTMLSelectElement;
 
+/** A slider through so many steps, and the words beside it. */
+export class Scrub {
+  readonly slider: HTMLInputElement;
+  readonly where = h("output", { class: "where" });
+
+  /** `onScrub`: called with the step that was chosen, `onDone` once somebody let it go. */
+  constructor(word: string, onScrub: (step: number) => void, onDone: () => void = () => {}) {
+    this.slider = h("input", { type: "range", min: 0, max: 0, step: 1, "aria-label": `Which ${word}`,
+      oninput: () => onScrub(Number(this.slider.value)), onchange: onDone }) as HTMLInputElement;
+  }
+  show(at: number, from: number, to: number, words: string): void {
+    this.slider.min = String(from);
+    this.slider.max = String(to);
+    this.slider.value = String(at);
+    this.where.textContent = words;
+  }
+}
+
+/** The words and the names of a timeline's parts, where they are others than usual. */
+export interface TimelineWords {
+  /** What a step is called. */
+  word?: string;
+  /** What the next step's button says. */
+  next?: string;
+  /** The names by which the buttons forward and back are found. */
+  marks?: [next: string, back: string];
+  /** The words beside the slider. */
+  where?: (at: number, count: number) => string;
+}
+
 export class Timeline {
   readonly element: HTMLElement;
   private count = 1;
@@ -18,32 +48,32 @@ export class Timeline {
   private pace = 1;
   private readonly onStep: (step: number) => void;
   private readonly period: number;
-  private readonly scrub: HTMLInputElement;
+  private readonly scrub: Scrub;
+  private readonly back: HTMLButtonElement;
+  private readonly words: (at: number, count: number) => string;
   private readonly next: HTMLButtonElement;
   private readonly play: HTMLButtonElement;
   private readonly speeds = speedSelect();
-  private readonly where = h("output", { class: "where" });
 
   /** `period`: milliseconds from one step to the next while it plays. `onSpeed`: called when another speed was
    *  chosen. */
-  constructor(onStep: (step: number) => void, word = "step", period = 900, onSpeed: () => void = () => {}) {
+  constructor(onStep: (step: number) => void, { word = "step", next = `Next ${word}`, marks = ["data-next", "data-previous"], where = (at, count) => `${at + 1} / ${count}` }: TimelineWords = {},
+    period = 900, onSpeed: () => void = () => {}) {
     this.onStep = onStep;
     this.period = period;
-    const button = (label: string, sign: string, act: () => void): HTMLButtonElement =>
-      h("button", { type: "button", "aria-label": label, title: label, onclick: act }, sign) as HTMLButtonElement;
-    this.scrub = h("input", {
-      type: "range", min: 0, max: 0, step: 1, "aria-label": `Which ${word}`,
-      oninput: () => this.go(Number(this.scrub.value)),
-    }) as HTMLInputElement;
+    this.words = where;
+    const button = (label: string, sign: string, act: () => void, more = {}): HTMLButtonElement =>
+      h("button", { type: "button", "aria-label": label, title: label, onclick: act, ...more }, sign) as HTMLButtonElement;
+    this.scrub = new Scrub(word, (step) => this.go(step));
     this.play = button("Play", "▶", () => this.toggle());
-    this.next = h("button", { type: "button", class: "accent", "data-next": true, onclick: () => this.go(this.at + 1) },
-      `Next ${word}`) as HTMLButtonElement;
+    this.next = h("button", { type: "button", class: "accent", [marks[0]]: true, onclick: () => this.go(this.at + 1) }, next) as HTMLButtonElement;
+    this.back = button(`Previous ${word}`, "◀", () => this.go(this.at - 1), { [marks[1]]: true });
     this.element = h("div", { class: "timeline", role: "group", "aria-label": "Steps" },
       button(`First ${word}`, "|◀", () => this.go(0)),
-      button(`Previous ${word}`, "◀", () => this.go(this.at - 1)),
+      this.back,
       this.play,
       button(`Last ${word}`, "▶|", () => this.go(this.count - 1)),
-      this.scrub, this.where, this.speeds, this.next);
+      this.scrub.slider, this.scrub.where, this.speeds, this.next);
     this.speeds.addEventListener("change", () => {
       this.speed = Number(this.speeds.value);
       onSpeed();
@@ -60,12 +90,12 @@ export class Timeline {
 
   show(at: number, count: number): void {
     const to = Math.max(0, Math.min(at, count - 1));
-    if (to === this.at && count === this.count && this.where.textContent) return; // as in most frames of a drag
+    const words = this.words(to, count);
+    if (to === this.at && count === this.count && this.scrub.where.textContent === words) return; // as in most frames of a drag
     this.count = count;
     this.at = to;
-    this.scrub.max = String(count - 1);
-    this.scrub.value = String(this.at);
-    this.where.textContent = `${this.at + 1} / ${count}`;
+    this.scrub.show(to, 0, count - 1, words);
+    this.back.disabled = to <= 0;
     this.next.disabled = this.at >= count - 1;
     if (this.next.disabled) this.stop();
   }

@@ -15,7 +15,7 @@ import { Timeline } from "../parts/timeline.ts";
 import { bodiesAt, readCapture, type Captured, type CapturedFrame } from "../scene/captured.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { Inquiry } from "../scene/inquiry.ts";
-import { captureLayers } from "../scene/layers.ts";
+import { captureLayers, whenStepped } from "../scene/layers.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
 import { firstShown, isShown, type Shown } from "../scene/moment.ts";
 import { askPair, drawFound, drawPair, type AskedPair } from "../scene/pair.ts";
@@ -57,7 +57,7 @@ export interface Origin {
 export class CaptureRoom implements Room {
   readonly element: HTMLElement;
   private readonly stage = new Stage3();
-  private readonly timeline = new Timeline((frame) => this.go(frame), "frame", 1000 / 60, () => this.write());
+  private readonly timeline = new Timeline((frame) => this.go(frame), { word: "frame" }, 1000 / 60, () => this.write());
   private readonly layers = new Layers(captureLayers, () => this.show());
   private readonly still = whenStill(() => this.write());
   private readonly pairs = new Table();
@@ -275,7 +275,7 @@ export class CaptureRoom implements Room {
   private tell(): void {
     const { asked } = this;
     const name = (i: number): string => this.captured.bodies[i].name;
-    this.inquiry.show(asked && { ...asked, selected: asked.numbers.map((_, k) => k), partners: (k) => partnersOf(asked.numbers[k], this.now.pairs, name) });
+    this.inquiry.show(asked && { ...asked, when: this.captured.report.simulation ? whenStepped : "where they are", selected: asked.numbers.map((_, k) => k), partners: (k) => partnersOf(asked.numbers[k], this.now.pairs, name) });
     const [first, other] = this.selected, pair = this.now.pairs.find((p) => this.selected.length === 2 && [p.a, p.b].every((i) => this.selected.includes(i)));
     const turned = pair && pair.a !== first && pair.b !== other;
     const names = turned ? [other, first] : [first, other];

@@ -31,7 +31,7 @@ export class LessonRoom implements Room {
   private dimension: 2 | 3 | null = null;
   private readonly place = h("div", { class: "place" });
   private readonly table = new Table();
-  private readonly timeline = new Timeline((step) => this.go(step), "step", 900, () => this.remember());
+  private readonly timeline = new Timeline((step) => this.go(step), {}, 900, () => this.remember());
   private readonly still = whenStill(() => this.remember());
   private readonly words = h("div", { class: "words", "aria-live": "polite" });
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });

@@ -2,22 +2,25 @@
 
 import { button, digits, h } from "../parts/dom.ts";
 import { drawer } from "../parts/drawer.ts";
+import { saveFile } from "../parts/save.ts";
 import { fold } from "../parts/fold.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
+import { Scrub } from "../parts/timeline.ts";
 import type { Question, Vec } from "../question.ts";
 import type { Captured } from "../scene/captured.ts";
 import { sceneOfQuestion } from "../scene/asked.ts";
 import { Catalogue } from "../scene/catalogue.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { dragBody } from "../scene/drag.ts";
+import { EventList } from "../scene/events.ts";
 import { Inquiry } from "../scene/inquiry.ts";
-import { sceneLayers } from "../scene/layers.ts";
+import { sceneLayers, whenStepped } from "../scene/layers.ts";
 import { materialFields } from "../scene/materials.ts";
-import type { Scene } from "../scene/model.ts";
-import { beginning, isMoment, isScene, movedBodies, opening, packed, type Moment } from "../scene/moment.ts";
+import type { Scene, SceneBody } from "../scene/model.ts";
+import { beginning, changedMaterials, isMoment, isScene, movedBodies, opening, packed, type Moment } from "../scene/moment.ts";
 import { askPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, colored, counted, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
 import { crowdOf, drawOverlay, graphsOf, handlesOf, stagesOf, viewOf } from "../scene/picture.ts";
@@ -46,7 +49,7 @@ export class SceneRoom implements Room {
   /** The key of a scene of the list. */
   private key: string | null = null;
   /** The places of the bodies when the scene was opened, and the changes since. */
-  private before: Place[] = [];
+  private before: (Place & Pick<SceneBody, "material">)[] = [];
   private history = new History<Moment>(beginning);
   /** The pairs that touch, in scenes that are not too large to draw them. */
   private found: Pair[] = [];
@@ -57,8 +60,16 @@ export class SceneRoom implements Room {
   /** Whether somebody aimed later than they selected: the words are about that then. */
   private aimed = false;
   private draws = 0;
+  /** Whether the address holds the scene. */
+  private held = true;
   private drawTime = 0;
   private readonly source: Source;
+  private readonly events = new EventList("step");
+  private readonly undoes = button("Undo", () => this.undo(), { "data-undo": true });
+  private readonly redoes = button("Redo", () => this.redo(), { "data-redo": true });
+  /** What became of a button that leads to nothing that is seen. */
+  private readonly done = h("p", { class: "counter", "aria-live": "polite" });
+  private readonly scrub = new Scrub("step", (step) => (this.play.stop(), this.play.goTo(step)), () => this.did(() => {}));
   private readonly pairs = new Table();
   private readonly steps = new TraceSteps(() => (this.paint(), this.write()));
   private readonly materials = h("div", { class: "choices", "data-material": true });
@@ -69,7 +80,7 @@ export class SceneRoom implements Room {
   private readonly layers = new Layers(sceneLayers, () => this.changed());
   private readonly still = whenStill(() => this.write());
   private readonly catalogue: Catalogue;
-  private readonly toggle = button("Play", () => this.play.toggle(), { class: "accent", "data-play": true });
+  private readonly toggle = button("Play", () => this.did(() => this.play.toggle()), { class: "accent", "data-play": true });
   private readonly settings = new Settings((changed) => this.set(changed));
   /** The part of the address about a scene that has not come yet. */
   private expected: { moment: Partial<Moment>; camera: Vec | null } | null = null;
@@ -80,7 +91,10 @@ export class SceneRoom implements Room {
       onCapture });
     this.play = new Play({
       onStep: () => this.show(), onTrouble: (text) => this.say(text),
-      onRunning: (running) => (this.toggle.textContent = running ? "Pause" : "Play") });
+      onRunning: (running) => {
+        this.toggle.textContent = running ? "Pause" : "Play";
+        if (!running) this.showSettings();
+      } });
     this.catalogue = new Catalogue((scene, key) => this.opened(scene, key), () => this.source.unwatch());
     this.inquiry = new Inquiry((question) => this.askIt(question), (text) => this.say(text));
     this.shooting = new Shooting((title, words) => this.inquiry.tell(title, words));
@@ -127,33 +141,46 @@ export class SceneRoom implements Room {
   }
   /** For the tests. */
   get shown(): { bodies: number; pairs: number; frames: number; poses: number[]; deepest: number; draws: number; times: { step: number; draw: number } } {
-    const { scene, run, energy, depth, stepTime } = this.play;
-    return { bodies: scene.bodies.length, pairs: run.contacts().filter((p) => p.overlap).length, frames: energy.length,
-      poses: Array.from(run.poses()), deepest: depth.at(-1) ?? 0, draws: this.draws, times: { step: stepTime, draw: this.drawTime } };
+    const { scene, run, steps, depth, stepTime } = this.play;
+    return { bodies: scene.bodies.length, pairs: run.contacts().filter((p) => p.overlap).length, frames: steps,
+      poses: Array.from(run.poses()), deepest: depth[steps - 1] ?? 0, draws: this.draws, times: { step: stepTime, draw: this.drawTime } };
   }
 
   // --- The state that the address and undo hold ---
 
   private get moment(): Moment {
-    return { places: movedBodies(this.play.scene, this.before), selected: this.selected, subSteps: this.play.subSteps, gravity: this.play.heavy,
+    const { scene, begun, subSteps, pulled, steps, inputs } = this.play, materials = begun?.materials ?? scene.bodies.map(({ material }) => material);
+    return { places: movedBodies(scene, this.before), selected: this.selected, subSteps, gravity: begun ? begun.gravity : pulled,
+      materials: changedMaterials(materials, this.before.map(({ material }) => material)), steps, inputs: inputs.upTo(steps),
       aim: this.shooting.aim, ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
   }
   /** The settings that stay from one scene to the next. */
   private get kept(): Partial<Moment> {
-    const { subSteps, gravity, speed, layers } = this.moment;
-    return { subSteps, gravity, speed, layers };
+    const { subSteps, pulled: gravity, speed } = this.play;
+    return { subSteps, gravity, speed, layers: this.layers.switched };
   }
-  /** Records the moment after everything that somebody did, but for playing. */
+  /** Records the moment after everything that somebody did, and where they paused. */
   private remember(): void {
     this.history.push(this.moment);
     this.write();
   }
+  /** Does something to time, and records where that leads; its address is written once time stands still. */
+  private did(what: () => void): void {
+    what();
+    if (this.play.running) return;
+    this.history.push(this.moment);
+    this.still.call();
+  }
   /** Writes the address of the page. */
   private write(): void {
     const { moment } = this, { scene } = this.play, values: Record<string, string> = this.key ? { scene: this.key } : {};
+    this.undoes.disabled = !this.history.hasPast;
+    this.redoes.disabled = !this.history.hasFuture;
+    this.held = true;
     if (this.source.served) values.file = this.source.served;
     else if (!this.key) {
       const text = packed({ ...scene, bodies: scene.bodies.map((body, i) => ({ ...body, ...this.before[i] })) });
+      this.held = text !== null;
       if (!text) return;
       values.s = text;
     }
@@ -168,32 +195,51 @@ export class SceneRoom implements Room {
   private take(moment: Moment): void {
     const { scene } = this.play;
     this.play.subSteps = moment.subSteps;
-    this.play.heavy = moment.gravity;
+    this.play.pulled = moment.gravity;
+    for (const [i, body] of scene.bodies.entries()) Object.assign(body, this.before[i], moment.places[i], moment.materials[i] && { material: moment.materials[i] });
+    this.takeLooks(moment);
+  }
+  /** Takes over what does not move anything. */
+  private takeLooks(moment: Moment): void {
+    const { scene } = this.play;
     this.play.speed = moment.speed;
     this.layers.switched = moment.layers;
     this.steps.shown = moment;
-    this.settings.show(moment);
-    for (const [i, body] of scene.bodies.entries()) Object.assign(body, moment.places[i] ?? this.before[i]);
     this.selected = moment.selected.filter((i) => i >= 0 && i < scene.bodies.length);
     this.shooting.aim = aimsAt(moment.aim, scene) ? moment.aim : null;
     this.aimed = this.shooting.aim !== null;
+    this.showSettings();
   }
   private restore(moment: Moment | null): void {
     if (!moment) return;
-    this.take(moment);
-    this.play.begin();
-    this.show();
+    const stays = this.play.run.played && moment.steps >= this.play.first && moment.steps <= this.play.last && this.sameRun(moment);
+    if (stays) {
+      this.takeLooks(moment);
+      this.play.goTo(moment.steps);
+    } else {
+      this.take(moment);
+      this.play.repeat(moment.steps, moment.inputs);
+      this.show();
+    }
     this.write();
   }
+  /** Whether the run that is played came by the moment. */
+  private sameRun(moment: Moment): boolean {
+    const of = ({ places, subSteps, gravity, materials }: Moment): string => JSON.stringify([places, subSteps, gravity, materials]);
+    return of(moment) === of(this.moment) && JSON.stringify(this.play.inputs.upTo(moment.steps)) === JSON.stringify(moment.inputs);
+  }
   undo(): void {
+    this.play.stop();
     this.restore(this.history.undo());
   }
   redo(): void {
+    this.play.stop();
     this.restore(this.history.redo());
   }
   /** Begins the scene anew, with other settings if these are given. */
   private begin(settings: Partial<Moment> = {}): void {
-    this.restore({ ...this.moment, ...settings });
+    const { scene, pulled: gravity } = this.play, materials = changedMaterials(scene.bodies.map(({ material }) => material), this.before.map(({ material }) => material));
+    this.restore({ ...this.moment, gravity, materials, ...settings, steps: 0, inputs: [] });
     this.history.push(this.moment);
   }
   /** Called after layers were switched. */
@@ -202,11 +248,12 @@ export class SceneRoom implements Room {
     this.remember();
   }
   /** Sets how time runs. Sub-steps need a new simulation, the rest counts from the next step on. */
-  private set({ subSteps, gravity = this.play.heavy, speed = this.play.speed }: Partial<Moment>): void {
+  private set({ subSteps, gravity, speed = this.play.speed }: Partial<Moment>): void {
     if (subSteps !== undefined) return this.begin({ subSteps });
-    this.play.heavy = gravity;
     this.play.speed = speed;
-    this.play.run.setGravity(this.play.gravity);
+    if (gravity !== undefined) this.play.pulled = gravity;
+    if (gravity !== undefined) this.play.act({ kind: "gravity", gravity: this.play.gravity });
+    this.showSettings();
     this.remember();
   }
 
@@ -216,12 +263,12 @@ export class SceneRoom implements Room {
     this.key = key;
     this.trouble.hidden = true;
     this.shooting.forget();
-    this.before = scene.bodies.map(({ translation, rotation }) => ({ translation, rotation }));
+    this.before = scene.bodies.map(({ translation, rotation, material }) => ({ translation, rotation, material }));
     try {
       this.play.open(scene);
       const first = moment ?? { ...opening(scene), ...this.kept };
       this.take(first);
-      if (Object.keys(first.places).length > 0) this.play.begin();
+      if (Object.keys(first.places).length > 0 || first.steps > 0) this.play.repeat(first.steps, first.inputs);
     } catch (error) {
       this.say(`${scene.name}: ${(error as Error).message}`);
       this.before = this.selected = [];
@@ -238,6 +285,7 @@ export class SceneRoom implements Room {
     this.stage.crowd.set(...crowdOf(scene, run.flat, view.reach));
     this.chooser.set(scene.bodies);
     this.note.textContent = scene.note ?? "";
+    this.showSettings();
   }
   private askIt(question: Question): void {
     this.source.unwatch();
@@ -274,7 +322,7 @@ export class SceneRoom implements Room {
     const handle = handlesOf(this.play, i, this.stage.seen).find((one) => one.id === id);
     if (!handle || !dragBody(this.play, i, handle, to, done)) return;
     this.show();
-    if (done && !this.play.run.played) this.remember();
+    if (done) this.remember();
   }
 
   // --- The present state ---
@@ -283,24 +331,27 @@ export class SceneRoom implements Room {
     return this.play.scene.bodies.length <= mostDrawn;
   }
   private show(): void {
-    const start = performance.now(), { run, scene, running, energy } = this.play;
+    const start = performance.now(), { run, scene, running, steps, first, last } = this.play;
     this.stage.crowd.move(run.poses());
     this.chooser.show(this.selected);
     // Copying thousands of contacts out of the module takes longer than drawing the bodies.
     this.found = this.few ? run.contacts() : [];
-    this.stage.crowd.paint(colored(this.selected));
+    const asleep = this.layers.has("sleep") ? this.play.run.sleeping() : new Set<number>();
+    this.stage.crowd.paint(colored(this.selected, asleep));
     this.stage.crowd.outline(overlapping(this.layers.has("contacts") ? this.found : [], (i) => scene.bodies[i]?.moves, this.stage.seen));
     this.paint();
+    this.scrub.show(steps, first, last, last > 0 ? `${steps} / ${last}` : "");
     this.drawTime = performance.now() - start;
-    if (!running || energy.length % (this.few ? 6 : 30) === 0) this.tell();
+    if (!running || steps % (this.few ? 6 : 30) === 0) this.tell();
   }
   private paint(): void {
+    const asleep = this.layers.has("sleep") && this.few ? this.play.run.sleeping() : new Set<number>();
     const { run, scene } = this.play;
     this.pair = askPair(run, this.selected, scene.question);
     this.shot = this.shoot();
     this.steps.take(...explained(this.pair, this.shooting.aim, this.shot, this.selected));
     const { play, found, selected, pair, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
-    const overlay = { found, selected, pair, shot: this.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
+    const overlay = { found, selected, pair, shot: this.shot, asleep, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
     this.draws++;
     this.stage.hasGrid = this.layers.has("grid");
     this.stage.crowd.group.visible = this.layers.has("bodies");
@@ -320,6 +371,38 @@ export class SceneRoom implements Room {
       return null;
     }
   }
+  private copyAddress(): void {
+    this.write();
+    navigator.clipboard.writeText(location.href).then(() => (this.done.textContent = this.held ? "Copied." : "Copied; the scene is too long for an address, and is left out."),
+      (error: Error) => this.say(error.message));
+  }
+  /** Saves the run up to the present step as a file that the lab and `graze replay` play. */
+  private async save(): Promise<void> {
+    this.play.stop();
+    this.done.textContent = "The run is made once more …";
+    try {
+      const frames = await this.play.captured(), name = `${this.key ?? "scene"}.capture`;
+      saveFile(name, frames);
+      this.done.textContent = `${name}: ${frames.length} frames.`;
+    } catch (error) {
+      this.done.textContent = "";
+      this.say((error as Error).message);
+    }
+  }
+  private showSettings(): void {
+    const { subSteps, gravity, speed, run } = this.play;
+    this.settings.show({ subSteps, gravity, speed }, run.flat);
+  }
+  private setMaterial(body: number, material: NonNullable<SceneBody["material"]>): void {
+    try {
+      if (this.play.run.played) this.play.act({ kind: "material", body, material });
+      else this.play.run.setMaterial(body, material);
+      this.say(null);
+      this.remember();
+    } catch (error) {
+      this.say((error as Error).message);
+    }
+  }
   private tell(): void {
     const { scene, run, stepTime, stages } = this.play, found = this.few ? this.found : run.contacts();
     this.counter.textContent = counted(scene.bodies.length, found) +
@@ -327,8 +410,9 @@ export class SceneRoom implements Room {
     this.pairs.show(pairRows(found, "Pairs in contact", (i) => scene.bodies[i]?.name ?? String(i), this.selected, (bodies) => this.select(bodies)));
     this.plot.replaceChildren(...graphsOf(this.play));
     const [i] = this.selected;
-    this.materials.replaceChildren(...(i === undefined ? [] : materialFields(run, i, scene.bodies[i], (refused) => this.say(refused))));
-    this.inquiry.show({ run, bodies: scene.bodies, joints: scene.joints, selected: this.selected, pair: this.pair,
+    this.materials.replaceChildren(...(i === undefined ? [] : materialFields(scene.bodies[i], (material) => this.setMaterial(i, material))));
+    this.events.show(this.play.steps, (step) => this.play.eventsOf(step), (body) => scene.bodies[body]?.name ?? "the world");
+    this.inquiry.show({ run, bodies: scene.bodies, joints: scene.joints, selected: this.selected, pair: this.pair, when: run.played && this.play.steps > 0 ? whenStepped : "where they are",
       partners: (body) => partnersOf(body, found, (other) => scene.bodies[other].name) });
     if (this.shot && (this.aimed || i === undefined)) this.inquiry.answer(this.shot);
   }
@@ -337,7 +421,7 @@ export class SceneRoom implements Room {
     const takeAim = (kind: Kind): void => this.shooting.takeAim(kind, this.play.run, this.selected[0]);
     const { left, side, handle } = drawer([this.chooser.tree], [
       fold("properties", "Properties", this.inquiry.info, this.steps.element, this.materials, this.inquiry.table.element, this.inquiry.element),
-      fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element)]);
+      fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element), fold("events", "Events", this.events.element)]);
     return h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
@@ -348,9 +432,13 @@ export class SceneRoom implements Room {
       h("div", { class: "board workbench" }, left,
         h("div", { class: "picture" }, this.stage.element,
           fold("time", "Time", h("div", { class: "timeline", role: "group", "aria-label": "Time" },
-            button("Step back", () => this.play.back(), { "data-back": true }), this.toggle,
-            button("One step", () => this.play.step(), { "data-step": true }), button("Start again", () => this.begin()), this.settings.speed),
-            this.counter), handle, this.layers.element),
+            button("Step back", () => this.did(() => this.play.back()), { "data-back": true }), this.toggle,
+            button("One step", () => this.did(() => this.play.step()), { "data-step": true }), button("Start again", () => this.begin()), this.settings.speed,
+            this.scrub.slider, this.scrub.where),
+            this.counter), handle, this.layers.element,
+          h("p", { class: "actions" }, this.undoes, this.redoes,
+            button("Copy permalink", () => this.copyAddress(), { "data-permalink": true }),
+            button("Save the run as a capture", () => void this.save(), { "data-save": true })), this.done),
         side));
   }
 }

@@ -15,13 +15,16 @@ export function dragBody(play: Play, number: number, { id, at }: Handle, to: Vec
   const { run, scene } = play, body = scene.bodies[number], place = run.place(number);
   const by = sub(run.flat ? [to[0], to[1], 0] : to, at), along = axes[id];
   const aimed = add(play.pull?.to ?? place.translation, along ? scale(along, dot(by, along)) : by);
-  if (play.running && body.moves) {
-    play.pull = done ? null : { body: number, to: aimed };
+  if ((play.running || play.pull) && body.moves) {
+    play.act({ kind: "pull", pull: done ? null : { body: number, to: aimed } });
     return false;
   }
   const turn = (): Vec => unit(quatMultiply(quatBetween(rotate(place.rotation, [1, 0, 0]), sub(add(at, by), place.translation)), place.rotation));
   const next: Place = id === "turn" ? { ...place, rotation: turn() } : { ...place, translation: aimed };
-  if (!run.played) Object.assign(body, next);
-  run.put(number, next);
+  if (run.played) play.act({ kind: "put", body: number, place: next });
+  else {
+    Object.assign(body, next);
+    run.put(number, next);
+  }
   return true;
 }

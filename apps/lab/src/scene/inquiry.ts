@@ -10,7 +10,7 @@ import type { Question } from "../question.ts";
 import { unmet } from "./meeting.ts";
 import type { Scene, SceneBody } from "./model.ts";
 import { lessonsOf, type AskedPair } from "./pair.ts";
-import { propertiesOf } from "./properties.ts";
+import { propertiesOf, type Partner } from "./properties.ts";
 import type { Run } from "./run.ts";
 import type { Shot } from "./shots.ts";
 
@@ -22,8 +22,10 @@ export interface Selection {
   selected: number[];
   /** The relation of two selected bodies. */
   pair: AskedPair | null;
-  /** The names of the bodies that a body touches. */
-  partners: (body: number) => string[];
+  /** The pairs of a body that were found. */
+  partners: (body: number) => Partner[];
+  /** The poses at which they were found. */
+  when: string;
 }
 
 export class Inquiry {
@@ -64,7 +66,7 @@ export class Inquiry {
       this.table.show(undefined);
     } else if (!of.pair) {
       this.tell(of.bodies[first].name, "Click another to see what the two have to do with each other.");
-      this.table.show(propertiesOf(of.run, of.bodies[first], first, of.partners(first)));
+      this.table.show(propertiesOf(of.run, of.bodies[first], first, of.partners(first), of.when));
     } else {
       this.explain(of, of.pair);
     }

@@ -3,7 +3,9 @@
 import { speeds } from "../parts/timeline.ts";
 import type { Vec } from "../question.ts";
 import { asksMore } from "./asked.ts";
-import type { Scene } from "./model.ts";
+import { isPlace, isVector } from "./checks.ts";
+import { areInputs, type Input } from "./inputs.ts";
+import type { Scene, SceneBody } from "./model.ts";
 import type { Place } from "./run.ts";
 import { isAim, type Aim } from "./shots.ts";
 
@@ -21,28 +23,30 @@ export interface Shown {
   /** The layers that somebody has switched. */
   layers: string[];
 }
+type Material = NonNullable<SceneBody["material"]>;
 export interface Moment extends Shown {
   /** The places of the bodies that do not stand where the scene has them, by number. */
   places: Record<number, Place>;
   subSteps: number;
-  gravity: boolean;
+  /** The gravity that somebody set, with which the run began; null for the scene's own. */
+  gravity: Vec | null;
+  /** The materials that somebody set before it began, by number. */
+  materials: Record<number, Material>;
+  /** The number of steps that were made, and what was done in them. */
+  steps: number;
+  inputs: Input[];
   /** What was shot or measured last. */
   aim: Aim | null;
 }
 
 export const firstShown: Shown = { selected: [], explained: "distance", traceStep: -1, speed: 1, layers: [] };
-export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: true, aim: null };
+export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: null, materials: {}, steps: 0, inputs: [], aim: null };
 /** The moment at which a scene is opened: one that was made of a question answers it. */
 export function opening({ question, bodies }: Scene): Moment {
   if (!question) return beginning;
   const asked = explained.find((one) => one === question.query) ?? beginning.explained;
   return { ...beginning, explained: asked, ...(asksMore(question) ? { aim: { kind: "question" } } : { selected: bodies.map((_, i) => i) }) };
 }
-
-const isNumbers = (value: unknown, count: number): value is Vec =>
-  Array.isArray(value) && value.length === count && value.every((x) => typeof x === "number" && Number.isFinite(x));
-const isPlace = (value: unknown): value is Place =>
-  isNumbers((value as Place)?.translation, 3) && isNumbers((value as Place).rotation, 4);
 
 /** Whether a value of an address, where it has members of `Shown`, has them with the right types. */
 export function isShown(value: unknown): boolean {
@@ -51,11 +55,15 @@ export function isShown(value: unknown): boolean {
     Array.isArray(layers) && layers.every((layer) => typeof layer === "string") &&
     explained.includes(trace.explained) && Number.isInteger(trace.traceStep) && trace.traceStep >= -1;
 }
+/** The number of steps of a run that an address may ask to be repeated: ten minutes. */
+const mostSteps = 36000;
 /** Whether a value of an address is one of a scene's moment, likewise. */
 export function isMoment(value: unknown): boolean {
-  const { places, subSteps, gravity, aim } = { ...beginning, ...(value as Partial<Moment> | null) };
+  const { places, subSteps, gravity, materials, steps, inputs, aim } = { ...beginning, ...(value as Partial<Moment> | null) };
   return isShown(value) && typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
-    [1, 2, 4, 8, 16].includes(subSteps) && typeof gravity === "boolean" && isAim(aim);
+    [1, 2, 4, 8, 16].includes(subSteps) && (gravity === null || isVector(gravity)) && isAim(aim) &&
+    typeof materials === "object" && materials !== null && Object.values(materials).every((one) => typeof one === "object") &&
+    Number.isInteger(steps) && steps >= 0 && steps <= mostSteps && areInputs(inputs);
 }
 
 /** The moved bodies of a scene that began as `before`. */
@@ -64,6 +72,10 @@ export function movedBodies(scene: Scene, before: Place[]): Record<number, Place
   return Object.fromEntries(scene.bodies.map(({ translation, rotation }, i): [number, Place] => [i, { translation, rotation }])
     .filter(([i, { translation, rotation }]) => !same(translation, before[i].translation) || !same(rotation, before[i].rotation)));
 }
+
+/** The bodies whose material is another than at first. */
+export const changedMaterials = (materials: (Material | undefined)[], before: (Material | undefined)[]): Record<number, Material> =>
+  Object.fromEntries([...materials.entries()].filter(([i, now]) => JSON.stringify(now) !== JSON.stringify(before[i])).map(([i, now]) => [i, now ?? {}]));
 
 /** The length of the longest scene that an address takes. */
 const longest = 6000;

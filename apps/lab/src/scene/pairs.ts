@@ -2,6 +2,7 @@
 
 import type { Meaning } from "../parts/drawing.ts";
 import type { Numbers } from "../parts/table.ts";
+import type { Partner } from "./properties.ts";
 import type { Pair } from "./run.ts";
 
 const mostListed = 30;
@@ -13,8 +14,9 @@ export const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMa
 /** The bodies that reach visibly into others, as far as they move. */
 export const overlapping = (pairs: Pair[], moves: (body: number) => boolean, seen: number): Set<number> =>
   new Set(pairs.filter((pair) => deepest(pair) < -visible * seen).flatMap(({ a, b }) => [a, b]).filter(moves));
-/** The colours of the selected bodies, which all others keep theirs beside. */
-export const colored = (selected: number[]): Map<number, Meaning> => new Map(selected.map((body, i) => [body, i ? "b" : "made"]));
+/** The colours of the bodies that sleep and of the selected ones, which all others keep theirs beside. */
+export const colored = (selected: number[], asleep: ReadonlySet<number> = new Set()): Map<number, Meaning> =>
+  new Map([...[...asleep].map((body): [number, Meaning] => [body, "asleep"]), ...selected.map((body, i): [number, Meaning] => [body, i ? "b" : "made"])]);
 /** The key by which a pair in the drawing lights up with its row. */
 export const keyOf = (pair: { a: number; b: number }): string => `${pair.a} ${pair.b}`;
 /** The bodies of such a key; none for another one. */
@@ -23,9 +25,9 @@ export const bodiesOf = (key: string | null): number[] => (key && /^\d+ \d+$/.te
 export const counted = (bodies: number, pairs: Pair[]): string =>
   `${bodies} bodies · ${pairs.length} pairs · ${pairs.reduce((sum, p) => sum + pointsOf(p), 0)} contacts`;
 
-/** The names of the bodies that a body touches. */
-export const partnersOf = (body: number, pairs: Pair[], name: (body: number) => string): string[] =>
-  pairs.filter((p) => p.a === body || p.b === body).map((p) => name(p.a === body ? p.b : p.a));
+/** The pairs of a body, with the name of the other. */
+export const partnersOf = (body: number, pairs: Pair[], name: (body: number) => string): Partner[] =>
+  pairs.filter((p) => p.a === body || p.b === body).map((pair) => ({ pair, name: name(pair.a === body ? pair.b : pair.a) }));
 
 export function pairRows(pairs: Pair[], caption: string, name: (body: number) => string, selected: number[], select: (bodies: number[]) => void): Numbers {
   return {

@@ -41,6 +41,8 @@ export function crowdOf({ bodies }: Scene, flat: boolean, reach: number): [Looks
     bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, reach), flat: shape.type === "plane" || (trigger ?? false) })),
     bodies.map((b) => (b.trigger ? "trigger" : b.moves ? "a" : "out"))];
 }
+/** The number of bodies above which those that sleep have their colour alone. */
+const mostSigned = 40;
 /** The things that are drawn on top of the bodies, among them `found`, pairs that touch. */
 export interface Overlay {
   found: Pair[];
@@ -48,16 +50,19 @@ export interface Overlay {
   /** The facts about two selected bodies. */
   pair: AskedPair | null;
   shot: Shot | null;
+  /** The bodies that sleep. */
+  asleep: ReadonlySet<number>;
   /** Whether a layer is drawn, by its id in `sceneLayers`. */
   draws: (layer: string) => boolean;
   /** Half of the height that is seen. */
   seen: number;
 }
-export function drawOverlay(d: Drawing, play: Play, { found, selected, pair, shot, draws, seen }: Overlay): void {
+export function drawOverlay(d: Drawing, play: Play, { found, selected, pair, shot, asleep, draws, seen }: Overlay): void {
   const { run, pull } = play;
   drawFound(d, found, { selected, draws, seen });
   if (draws("broad")) run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
   if (draws("joints")) run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
+  if (asleep.size <= mostSigned) for (const body of asleep) d.text(run.place(body).translation, "z", "ink");
   const [first, other] = selected;
   for (const { id, at } of handlesOf(play, first, seen)) if (axes[id]) d.line(run.place(first).translation, at, "made", { ghost: true });
   if (pair && draws("pair")) drawPair(d, run, pair);
@@ -82,9 +87,10 @@ export function stagesOf({ collideMs, prepareMs, solveMs, continuousMs }: Stages
   return parts.filter(([, ms]) => ms > 0).map(([name, ms]) => `${name} ${digits(ms, 2)}`).join(", ");
 }
 /** Energy and deepest penetration over the last steps. */
-export function graphsOf({ energy, depth }: Play): Node[] {
-  if (energy.length < 2) return [];
-  const tail = (v: number[]): number[] => v.slice(-300), at = Math.min(300, energy.length) - 1;
-  return [drawGraph({ caption: "energy", at, series: [{ name: digits(energy.at(-1), 4), meaning: "made", values: tail(energy) }] }),
-    drawGraph({ caption: "deepest penetration", at, series: [{ name: digits(depth.at(-1), 3), meaning: "touch", values: tail(depth) }] })];
+export function graphsOf({ energy, depth, steps, last }: Play): Node[] {
+  if (last < 2) return [];
+  // The last five seconds, or those about the step that is shown.
+  const from = Math.max(0, Math.min(last - 300, steps - 150)), tail = (v: number[]): number[] => v.slice(from, from + 300), at = Math.max(0, steps - 1 - from);
+  return [drawGraph({ caption: "energy", at, series: [{ name: digits(energy[Math.max(0, steps - 1)], 4), meaning: "made", values: tail(energy) }] }),
+    drawGraph({ caption: "deepest penetration", at, series: [{ name: digits(depth[Math.max(0, steps - 1)], 3), meaning: "touch", values: tail(depth) }] })];
 }

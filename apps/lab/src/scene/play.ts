@@ -1,13 +1,16 @@
-// A scene in time: played, stepped, and stepped back through the last ten seconds.
+// A scene in time: played, stepped, and gone through, back as far as states are kept and forward as far as it was played.
 
 import type { graze } from "../graze.ts";
 import type { Vec } from "../question.ts";
+import { sorted, type StepEvents } from "./events.ts";
+import { act, Inputs, type Action, type Input, type Pull } from "./inputs.ts";
+import { KeptStates } from "./kept.ts";
 import type { Scene } from "./model.ts";
 import { Run, type Stages } from "./run.ts";
 
 const frame = 1 / 60;
-/** The number of states to step back to: ten seconds; fewer of large scenes. */
-const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
+/** The milliseconds that a run that is repeated takes between two pictures. */
+const slice = 40;
 const nothing: Scene = { name: "empty", bodies: [] };
 
 export interface Listener {
@@ -16,24 +19,34 @@ export interface Listener {
   onRunning(running: boolean): void;
   onTrouble(text: string): void;
 }
+/** The settings with which a run began. */
+export interface Begun {
+  subSteps: number;
+  gravity: Vec | null;
+  materials: (graze.Material | graze.plane.Material | undefined)[];
+}
 
 export class Play {
   scene = nothing;
   run = new Run(nothing);
   subSteps = 8;
-  /** Whether the scene's gravity acts. */
-  heavy = true;
+  /** The gravity that somebody set; null for the scene's own. */
+  pulled: Vec | null = null;
   /** The number of steps for each picture. */
   speed = 1;
-  /** The energy and the depth of every step that can be gone back. */
+  /** The number of steps that were made, and that up to which it was played. */
+  steps = 0;
+  last = 0;
+  /** The energy and the depth after every step. */
   energy: number[] = [];
   depth: number[] = [];
   /** The time of the last step, in milliseconds, and of its parts. */
   stepTime = 0;
   stages: Stages | null = null;
-  /** The spring that somebody holds a body by. */
-  pull: { body: number; to: Vec } | null = null;
-  private states: graze.State[] = [];
+  readonly inputs = new Inputs();
+  begun: Begun | null = null;
+  private events: (StepEvents | undefined)[] = [];
+  private readonly kept = new KeptStates();
   private ticking = 0;
   private readonly listener: Listener;
 
@@ -50,18 +63,30 @@ export class Play {
     return this.ticking !== 0;
   }
   get gravity(): Vec {
-    return this.heavy ? (this.scene.gravity ?? [0, -9.81, 0]) : [0, 0, 0];
+    return this.pulled ?? this.scene.gravity ?? [0, -9.81, 0];
+  }
+  /** The first step that can be gone back to. */
+  get first(): number {
+    return this.kept.first;
+  }
+  /** The spring that somebody holds a body by. */
+  get pull(): Pull | null {
+    return this.inputs.pullAt(this.steps);
+  }
+  /** The events of the step that came to this state. */
+  eventsOf(step: number): StepEvents | undefined {
+    return this.events[step];
   }
   /** Opens another scene. Throws the library's errors; the scene is an empty one then. */
   open(scene: Scene): void {
     this.dispose();
-    this.pull = null;
     this.scene = nothing;
     this.run = new Run(nothing);
     const made = new Run(scene);
     this.run.dispose();
     this.run = made;
     this.scene = scene;
+    this.kept.clear(scene.bodies.length);
   }
   /** Begins the scene anew, with its bodies where they were put. */
   begin(): void {
@@ -70,12 +95,9 @@ export class Play {
   toggle(): void {
     if (this.running) return this.stop();
     let due = 0;
-    const tick = (): void => {
-      this.ticking = requestAnimationFrame(tick);
-      for (due += this.speed; due >= 1 && this.running; due--) this.advance(due >= 2);
-    };
-    this.ticking = requestAnimationFrame(tick);
-    this.listener.onRunning(true);
+    this.tick(() => {
+      for (due += this.speed; due >= 1 && this.running; due--) this.forward(due >= 2);
+    });
   }
   stop(): void {
     cancelAnimationFrame(this.ticking);
@@ -84,42 +106,154 @@ export class Play {
   }
   step(): void {
     this.stop();
-    this.advance();
+    this.forward();
   }
   back(): void {
     this.stop();
-    const state = this.states.pop();
-    if (!state) return;
-    this.run.restore(state);
-    state.dispose();
-    this.energy.pop();
-    this.depth.pop();
-    this.listener.onStep();
+    if (this.steps > this.first) this.goTo(this.steps - 1);
+  }
+  /** Goes to a step that was made. */
+  goTo(step: number): void {
+    this.attempt(() => {
+      this.seek(Math.max(this.first, Math.min(step, this.last)));
+      this.listener.onStep();
+    });
+  }
+  /** Does something to the simulation, after which nothing later is true any more. */
+  act(action: Action): void {
+    if (!this.run.played && !this.running) return;
+    this.start();
+    this.kept.forgetFrom(this.steps + 1);
+    this.inputs.forgetAfter(this.steps);
+    this.last = this.steps;
+    for (const values of [this.energy, this.depth]) values.length = this.steps;
+    this.events.length = Math.min(this.events.length, this.steps + 1);
+    act(this.run, action);
+    this.inputs.add({ ...action, step: this.steps });
+    if (action.kind !== "pull") this.kept.keep(this.steps, this.run.save());
+  }
+  /** Repeats a run from its beginning: so many steps, with what was done in them. It goes on between pictures where it
+   *  takes longer than one. */
+  repeat(steps: number, inputs: Input[]): void {
+    this.begin();
+    if (steps === 0) return;
+    this.inputs.list = inputs;
+    const some = (): void => {
+      for (const until = performance.now() + slice; this.steps < steps && performance.now() < until;) this.onward();
+    };
+    this.attempt(() => (this.start(), some()));
+    if (this.steps < steps) this.tick(() => {
+      this.attempt(some);
+      if (this.steps >= steps) this.stop();
+      this.listener.onStep();
+    });
+  }
+  /** The bytes of a capture of the run up to the present step, which is made once more. */
+  async captured(): Promise<Uint8Array[]> {
+    const frames: Uint8Array[] = [], { begun, steps } = this, inputs = new Inputs();
+    inputs.list = this.inputs.upTo(steps);
+    const bodies = this.scene.bodies.map((body, i) => ({ ...body, material: begun ? begun.materials[i] : body.material }));
+    const run = new Run({ ...this.scene, bodies });
+    try {
+      run.play(begun?.subSteps ?? this.subSteps, begun?.gravity ?? this.gravity, (bytes) => frames.push(bytes));
+      for (let step = 0, until = performance.now() + slice; step < steps; step++) {
+        for (const input of inputs.at(step)) act(run, input);
+        const pull = inputs.pullAt(step);
+        if (pull) run.pull(pull.body, pull.to);
+        run.step(frame);
+        if (performance.now() < until) continue;
+        await new Promise(requestAnimationFrame);
+        until = performance.now() + slice;
+      }
+    } finally {
+      run.dispose();
+    }
+    return frames;
   }
 
-  /** Makes a step. `hidden`: another step follows before anything is drawn. */
-  private advance(hidden = false): void {
+  /** Calls `act` before every picture, until it is stopped. */
+  private tick(act: () => void): void {
+    const each = (): void => {
+      this.ticking = requestAnimationFrame(each);
+      act();
+    };
+    this.ticking = requestAnimationFrame(each);
+    this.listener.onRunning(true);
+  }
+  private attempt(what: () => void): void {
     try {
-      this.run.play(this.subSteps, this.gravity);
-      this.states.push(this.run.save());
-      if (this.states.length > mostStates(this.scene.bodies.length)) this.states.shift()!.dispose();
-      if (this.pull) this.run.pull(this.pull.body, this.pull.to);
-      const start = performance.now();
-      const { energy, deepest, stages } = this.run.step(frame);
-      this.stages = stages;
-      this.stepTime = performance.now() - start;
-      this.energy.push(energy);
-      this.depth.push(deepest);
-      if (!hidden) this.listener.onStep();
+      what();
     } catch (error) {
       this.stop();
       this.listener.onTrouble((error as Error).message);
     }
   }
+  /** Begins the simulation where it has not begun. */
+  private start(): void {
+    if (this.run.played) return;
+    const { subSteps, pulled: gravity, scene } = this;
+    this.begun = { subSteps, gravity, materials: scene.bodies.map(({ material }) => material) };
+    this.run.play(subSteps, this.gravity);
+    this.reach();
+  }
+  /** Makes a step, or goes on to the next that was made. `hidden`: another step follows before anything is drawn. */
+  private forward(hidden = false): void {
+    this.attempt(() => {
+      this.start();
+      if (this.steps < this.last) this.seek(this.steps + 1);
+      else this.onward();
+      if (!hidden) this.listener.onStep();
+    });
+  }
+  /** Restores the state of a step, from an earlier one where it was not kept. */
+  private seek(step: number): void {
+    const [at, state] = this.kept.upTo(step);
+    this.run.restore(state);
+    this.steps = at;
+    this.settle();
+    while (this.steps < step) this.onward();
+  }
+  /** Sets what a state does not hold. */
+  private settle(): void {
+    const inputs = this.inputs.upTo(this.steps), { begun, scene } = this;
+    this.pulled = inputs.findLast((one): one is Extract<Input, { kind: "gravity" }> => one.kind === "gravity")?.gravity ?? begun!.gravity;
+    this.run.setGravity(this.gravity);
+    for (const body of new Set(this.inputs.list.flatMap((one) => (one.kind === "material" ? [one.body] : [])))) {
+      const set = inputs.findLast((one): one is Extract<Input, { kind: "material" }> => one.kind === "material" && one.body === body)?.material ?? begun!.materials[body];
+      this.run.setMaterial(body, set ?? {}, false);
+      scene.bodies[body].material = set;
+    }
+  }
+  private onward(): void {
+    const { pull, run } = this;
+    if (pull) run.pull(pull.body, pull.to);
+    const start = performance.now();
+    const { energy, deepest, stages } = run.step(frame);
+    this.stages = stages;
+    this.stepTime = performance.now() - start;
+    this.steps++;
+    this.energy[this.steps - 1] = energy;
+    this.depth[this.steps - 1] = deepest;
+    this.events[this.steps] = sorted(run.events());
+    this.last = Math.max(this.last, this.steps);
+    this.reach();
+  }
+  /** Does what was done at this step of a run that is repeated, and keeps its state. */
+  private reach(): void {
+    const inputs = this.inputs.at(this.steps);
+    for (const input of inputs) {
+      act(this.run, input);
+      if (input.kind === "gravity") this.pulled = input.gravity;
+    }
+    if (!this.kept.has(this.steps)) this.kept.keep(this.steps, this.run.save());
+  }
   private forget(): void {
-    for (const state of this.states) state.dispose();
-    this.states = [];
+    this.kept.clear(0);
+    this.inputs.list = [];
+    this.begun = null;
     this.energy = [];
     this.depth = [];
+    this.events = [];
+    this.steps = this.last = 0;
   }
 }

@@ -4,6 +4,7 @@
 import { graze, planeShapeOf, poseOf, shapeOf } from "../graze.ts";
 import { add, cross, inverse, length, quatMultiply, scale, sub, toLocal, toWorld } from "../parts/vec.ts";
 import type { Body, Shape, Vec } from "../question.ts";
+import type { ContactEvent } from "./events.ts";
 import type { Scene, SceneBody } from "./model.ts";
 
 export interface Place {
@@ -36,6 +37,7 @@ interface AnyQueries {
   pose(id: graze.BodyId): { translation: Vec; rotation: Vec | number };
   poses(): ArrayLike<number>;
   contacts(): Pair[];
+  events(): graze.ContactEvent[];
   raycast(ray: object, options?: object): { body: graze.BodyId; hit: Omit<Hit, "body"> } | null;
   cast(moving: object, options?: object): { body: graze.BodyId; hit: Omit<Hit, "body"> } | null;
 }
@@ -58,6 +60,8 @@ interface AnySimulation {
   setMaterial(id: graze.BodyId, material: object): void;
   setGravity(gravity: Vec): void;
   wake(id: graze.BodyId): void;
+  asleep(id: graze.BodyId): boolean;
+  setName(id: graze.BodyId, name: string): void;
   applyForce(id: graze.BodyId, force: Vec): void;
   motion(id: graze.BodyId): { linear: Vec; center: Vec };
   mass(id: graze.BodyId): number;
@@ -175,6 +179,15 @@ export class Run {
   contacts(): Pair[] {
     return this.questions().contacts();
   }
+  /** The events of the last step, but for those of what is no body of the scene. */
+  events(): ContactEvent[] {
+    return this.questions().events().map(({ kind, trigger, a, b }) => ({ kind, trigger, a: a.index, b: b.index }));
+  }
+  /** The bodies that sleep, while the scene is played. */
+  sleeping(): Set<number> {
+    const { simulation, scene } = this;
+    return new Set(simulation ? this.ids.flatMap((id, i) => (scene.bodies[i].moves && simulation.asleep(id) ? [i] : [])) : []);
+  }
   /** The velocity and mass of a body while the scene is played. */
   motion(body: number): { linear: Vec; mass: number } | null {
     const id = this.ids[body];
@@ -255,13 +268,14 @@ export class Run {
     this.world!.move(this.ids[body], pose);
     this.world!.update();
   }
-  /** Begins the simulation: from here on the laws of motion hold. */
-  play(subSteps: number, gravity: Vec): void {
+  /** Begins the simulation: from here on the laws of motion hold. `capture` gets the bytes of its frames. */
+  play(subSteps: number, gravity: Vec, capture?: graze.Capture): void {
     if (this.simulation) return;
-    const made = this.own.simulation({ gravity: this.own.vector(gravity), subSteps });
+    const made = this.own.simulation({ gravity: this.own.vector(gravity), subSteps, ...(capture ? { capture } : {}) });
     try {
       const ids = this.scene.bodies.map((body) =>
         made.add(this.body(body), body.moves ? { ...(body.mass ? { mass: body.mass } : {}), ...body.dynamics } : {}, body.material ?? {}));
+      if (capture) ids.forEach((id, i) => made.setName(id, this.scene.bodies[i].name));
       for (const [i, { aboutCenter, translation, linear = [0, 0, 0], angular }] of this.scene.bodies.entries()) {
         if (!aboutCenter || !Array.isArray(angular)) continue;
         const arm = sub(translation, made.motion(ids[i]).center);
@@ -283,9 +297,9 @@ export class Run {
     this.world = null;
   }
   /** Sets a material, from here on, and when the scene is begun anew. */
-  setMaterial(body: number, material: graze.Material | graze.plane.Material): void {
+  setMaterial(body: number, material: graze.Material | graze.plane.Material, wakes = true): void {
     this.simulation?.setMaterial(this.ids[body], material);
-    this.simulation?.wake(this.ids[body]);
+    if (wakes) this.simulation?.wake(this.ids[body]);
     this.scene.bodies[body].material = material;
   }
   setGravity(gravity: Vec): void {

@@ -7,6 +7,7 @@ import type { Drawing } from "../parts/drawing.ts";
 import { add, scale } from "../parts/vec.ts";
 import { circle, sphere, type Body, type Question, type Vec } from "../question.ts";
 import { answeredQuestion } from "./asked.ts";
+import { isVector } from "./checks.ts";
 import type { Scene } from "./model.ts";
 import type { Hit, Run } from "./run.ts";
 
@@ -27,8 +28,6 @@ export interface Shot {
   draw(d: Drawing, size: number): void;
 }
 
-const isVector = (value: unknown): value is Vec =>
-  Array.isArray(value) && value.length === 3 && value.every((x) => typeof x === "number" && Number.isFinite(x));
 /** Whether a value of an address is an aim, or none. */
 export function isAim(value: unknown): value is Aim | null {
   if (value === null) return true;

@@ -3,8 +3,9 @@
 
 import { ask, type Answer, type Trace } from "../graze.ts";
 import { drawCast, drawDistance, drawRay, drawTrace, endOf } from "../parts/answers.ts";
-import { button, digits, h, vector } from "../parts/dom.ts";
+import { digits, h, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
+import { Timeline } from "../parts/timeline.ts";
 import { add, scale } from "../parts/vec.ts";
 import type { Body, Question, Vec } from "../question.ts";
 import { drawMotions } from "./asked.ts";
@@ -104,11 +105,10 @@ function stepsOf(question: Question, answer: Answer): TraceStep[] {
 }
 
 export class TraceSteps {
-  readonly element = h("div", { class: "actions trace-steps", role: "group", "aria-label": "Steps of the answer", hidden: true });
-  private readonly words = h("output", {});
-  private readonly forward: HTMLButtonElement;
-  private readonly back: HTMLButtonElement;
+  readonly element = h("div", { class: "trace-steps", role: "group", "aria-label": "Steps of the answer", hidden: true });
   private readonly choice: HTMLSelectElement;
+  /** Its first place is that before the first step. */
+  private readonly timeline: Timeline;
   private questions: Question[] = [];
   private chosen = firstShown.explained;
   private key = "";
@@ -120,20 +120,18 @@ export class TraceSteps {
 
   /** `onStep`: called when another step is to be drawn. */
   constructor(onStep: () => void) {
-    const go = (by: number) => (): void => {
-      this.step += by;
+    const go = (step: number): void => {
+      this.step = step;
       this.show();
       onStep();
     };
-    this.back = button("Step back in its trace", go(-1), { "data-trace-back": true });
-    this.forward = button("Next step of its trace", go(1), { "data-trace-next": true });
+    this.timeline = new Timeline((at) => go(at - 1),
+      { word: "step of the trace", next: "Next step of its trace", marks: ["data-trace-next", "data-trace-back"], where: () => this.words });
     this.choice = h("select", { "aria-label": "What is explained", "data-explained": true, onchange: () => {
       this.chosen = this.choice.value as Explained;
-      this.step = -1;
-      this.show();
-      onStep();
+      go(-1);
     } }) as HTMLSelectElement;
-    this.element.append(this.choice, this.back, this.forward, this.words);
+    this.element.append(this.choice, this.timeline.element);
   }
   /** Which question is explained, and which step is drawn: -1 for none. */
   get shown(): ShownTrace {
@@ -143,6 +141,9 @@ export class TraceSteps {
   set shown({ explained, traceStep }: ShownTrace) {
     this.chosen = explained;
     this.step = this.expected = traceStep;
+  }
+  stop(): void {
+    this.timeline.stop();
   }
   /** What can be explained of the bodies with this key; question and step stay while it is the same. */
   take(questions: Question[], key: string): void {
@@ -155,22 +156,23 @@ export class TraceSteps {
   draw(d: Drawing, size: number): void {
     this.steps[this.step]?.draw(d, size);
   }
+  private get words(): string {
+    const { steps, step, answer } = this, count = steps.length;
+    if (step >= 0) return `${step + 1} / ${count}. ${steps[step].words}`;
+    return count > 0 ? `${count} steps` : answer ? answer.error ?? `${answer.trace.method}, no steps` : "";
+  }
   private show(): void {
     const { questions } = this, now = questions.find(({ query }) => query === this.chosen) ?? questions.find(({ query }) => query === firstShown.explained) ?? questions[0];
     this.element.hidden = !now;
     this.answer = now ? ask(now) : null;
     this.steps = this.answer ? stepsOf(now, this.answer) : [];
-    const count = this.steps.length;
-    this.step = Math.min(this.step, count - 1);
+    this.step = Math.min(this.step, this.steps.length - 1);
     const listed = questions.map(({ query }) => query as Explained).join(" ");
     if (this.choice.dataset.listed !== listed) {
       this.choice.dataset.listed = listed;
       this.choice.replaceChildren(...questions.map(({ query }) => h("option", { value: query }, labels[query as Explained])));
     }
     if (now) this.choice.value = now.query;
-    this.back.disabled = this.step < 0;
-    this.forward.disabled = this.step >= count - 1;
-    this.words.textContent = this.step >= 0 ? `${this.step + 1} / ${count}. ${this.steps[this.step].words}`
-      : count > 0 ? `${count} steps` : this.answer ? this.answer.error ?? `${this.answer.trace.method}, no steps` : "";
+    this.timeline.show(this.step + 1, this.steps.length + 1);
   }
 }

@@ -28,7 +28,8 @@ for (const name of ["shapes", "pyramid", "heavy", "cradle", "bridge"])
 
 test("every other scene goes on from step to step", async () => {
   const page = await scene("shapes");
-  for (const name of ["tower", "domino", "slope", "cards", "arch", "bounce", "book", "chain", "bullets", "far"]) {
+  for (const name of ["tower", "forty", "crooked", "ten", "thousandfold", "five", "domino", "slope", "cards", "arch", "bounce", "flat", "cylinders", "bowl", "book", "chain",
+    "bullets", "rod", "moving", "sizes", "far"]) {
     await page.selectOption('select[aria-label="Scene"]', name);
     const before = await shown(page);
     assert.equal(before.frames, 0, name);
@@ -38,6 +39,31 @@ test("every other scene goes on from step to step", async () => {
     assert.notDeepEqual(after.poses, before.poses, name);
     assert.ok(after.poses.every(Number.isFinite) && after.deepest < 0.1, name);
   }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("scenes: a flat fall comes back to its height, the bowl holds its balls, rod and bullets pass nothing", async () => {
+  const page = await scene("shapes");
+  const after = async (name, steps) => {
+    await page.selectOption('select[aria-label="Scene"]', name);
+    await press(page, "[data-step]", steps);
+    const { poses } = await shown(page);
+    return Object.fromEntries(await page.evaluate(() => window.lab.play.scene.bodies.map(({ name }, i) => [name, i])).then((list) => list.map(([body, i]) => [body, poses.slice(7 * i, 7 * i + 7)])));
+  };
+  const high = Math.max(...(await Promise.all([after("flat", 88)])).map(({ box }) => box[1])); // up again after twice the time to fall
+  assert.ok(Math.abs(high - 3) < 0.05, `${high}`);
+  const balls = Object.entries(await after("bowl", 120)).filter(([name]) => name.startsWith("ball"));
+  for (const [name, [x, y, z]] of balls) assert.ok(Math.hypot(x, y - 3, z) < 3 && y > 0, `${name} at ${[x, y, z]}`);
+  const { wall, ...bullets } = await after("moving", 10);
+  for (const [name, [x]] of Object.entries(bullets)) assert.ok(x < wall[0], `${name} at ${x}, the wall at ${wall[0]}`);
+  const pairs = await page.evaluate(() => {
+    window.lab.catalogue.open("rod");
+    let met = 0;
+    for (let i = 0; i < 10; i++) (window.lab.play.forward(), (met += window.lab.play.run.contacts().length));
+    return met;
+  });
+  assert.ok(pairs > 0, "the rod never met the post");
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });

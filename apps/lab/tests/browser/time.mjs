@@ -1,0 +1,197 @@
+// A run of the viewer: repeated from its address, gone through, undone, saved, and its events.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { press, scene } from "./scene-page.mjs";
+import { frame, graze, shown, small, test, visit } from "./harness.mjs";
+
+const address = (page) => page.evaluate(() => location.hash);
+/** Moves the slider of time, as somebody does who lets it go there. */
+const scrub = (page, step) => page.evaluate((to) => {
+  const slider = document.querySelector("[data-fold=time] input[type=range]");
+  slider.value = String(to);
+  for (const name of ["input", "change"]) slider.dispatchEvent(new Event(name));
+}, step);
+const set = async (page, field, value) => {
+  await page.fill(field, String(value));
+  await page.dispatchEvent(field, "change");
+};
+const restitution = '[data-material] label:has-text("Restitution") input';
+
+test("time: the address of a run repeats it with everything that was done, to the same bits", async () => {
+  const page = await scene("heavy");
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await set(page, restitution, 0.5);
+  await press(page, "[data-step]", 12);
+  await set(page, restitution, 0.9);
+  await set(page, '[aria-label^="Gravity along X"]', 3);
+  await press(page, "[data-step]", 6);
+  // A place for a body while time stands, and a pull while it goes on.
+  await page.evaluate(() => {
+    const { play, stage } = window.lab;
+    const { at } = stage.last.handles.find(({ id }) => id === "Y");
+    window.lab.drag("Y", [at[0], at[1] + 0.5, at[2]], true);
+    play.toggle();
+    window.lab.drag("Y", [at[0], at[1] + 2, at[2]], false);
+    for (let i = 0; i < 8; i++) play.forward();
+    window.lab.drag("Y", [at[0], at[1] + 2, at[2]], true);
+    for (let i = 0; i < 4; i++) play.forward();
+    document.querySelector("[data-play]").click();
+  });
+  await page.waitForFunction(() => /pull/.test(location.hash));
+  const there = await shown(page);
+  assert.ok(there.frames >= 30, `${there.frames}`);
+  const other = await visit(await address(page), small);
+  await other.waitForFunction((steps) => window.lab.shown.frames === steps, there.frames);
+  assert.deepEqual((await shown(other)).poses, there.poses);
+  assert.equal(await other.inputValue(restitution), "0.9");
+  assert.equal(await other.inputValue('[aria-label^="Gravity along X"]'), "3");
+  // Without what was done it comes elsewhere.
+  const plain = await scene("heavy");
+  await press(plain, "[data-step]", there.frames);
+  assert.notDeepEqual((await shown(plain)).poses, there.poses);
+  for (const one of [page, other, plain]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("time: undo and redo take back steps, materials, shots and measures, by buttons too", async () => {
+  const page = await scene("heavy"), states = [];
+  const state = async () => [(await shown(page)).poses, (await shown(page)).frames, await page.textContent(".words h2"), await page.$$eval("[data-material] input", (list) => list.map((x) => x.value))];
+  const note = async () => states.push(await state());
+  assert.ok(await page.isDisabled("[data-undo]"));
+  await note();
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await note();
+  await set(page, restitution, 0.5);
+  await note();
+  await page.click("[data-step]");
+  await note();
+  await page.click('button:text-is("Shoot a ray")');
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  await page.mouse.click(picture.x + picture.width * 0.57, picture.y + picture.height / 2);
+  await note();
+  assert.match(states.at(-1)[2], /^The ray hits/);
+  const shot = await visit(await address(page), small);
+  assert.equal(await shot.textContent(".words"), await page.textContent(".words"));
+  for (let i = states.length - 2; i >= 0; i--) {
+    await page.click("[data-undo]");
+    assert.deepEqual(await state(), states[i], `undone to ${i}`);
+  }
+  for (let i = 1; i < states.length; i++) {
+    await page.click("[data-redo]");
+    assert.deepEqual(await state(), states[i], `redone to ${i}`);
+  }
+  assert.ok(await page.isDisabled("[data-redo]"));
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.click("[data-permalink]");
+  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await page.evaluate(() => location.href));
+  for (const one of [page, shot]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("time: a run is gone through by a slider, back and forward to the same bits, and goes on from anywhere", async () => {
+  const page = await scene("pyramid"), poses = [];
+  for (let i = 0; i < 40; i++) {
+    await press(page, "[data-step]", 1);
+    if (i % 10 === 9) poses.push((await shown(page)).poses);
+  }
+  assert.equal(await page.textContent("[data-fold=time] .where"), "40 / 40");
+  for (const k of [0, 2, 1, 3, 0]) {
+    await scrub(page, 10 * (k + 1));
+    const now = await shown(page);
+    assert.equal(now.frames, 10 * (k + 1));
+    assert.ok(now.poses.every((x, i) => Math.abs(x - poses[k][i]) < 1e-9), `step ${now.frames}`);
+  }
+  assert.equal(await page.textContent("[data-fold=time] .where"), "10 / 40");
+  await press(page, "[data-step]", 30);
+  assert.ok((await shown(page)).poses.every((x, i) => Math.abs(x - poses[3][i]) < 1e-9));
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "time-slider.png"), fullPage: true });
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: a run is saved as a capture, which comes to the same bits", async () => {
+  const page = await scene("heavy");
+  await press(page, "[data-step]", 20);
+  const { poses } = await shown(page), [download] = await Promise.all([page.waitForEvent("download"), page.click("[data-save]")]);
+  assert.equal(download.suggestedFilename(), "heavy.capture");
+  const bytes = readFileSync(await download.path());
+  let last = [], names = [];
+  const report = graze.replay(bytes, (world) => {
+    last = Array.from(world.poses());
+    names = [0, 1, 2].map((i) => world.name(world.bodyAt(i)));
+  });
+  assert.deepEqual([report.difference, report.cut, report.simulation], [null, false, true]);
+  assert.deepEqual(names, ["floor", "light", "heavy"]);
+  assert.deepEqual(last, poses);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: events are listed by the names of their bodies, and sleeping bodies are seen", async () => {
+  const page = await scene("bounce");
+  const events = () => page.textContent(".events"), asleep = () => page.evaluate(() => [...window.lab.stage.crowd.special].filter(([, meaning]) => meaning === "asleep").map(([body]) => body));
+  await press(page, "[data-step]", 60);
+  await page.waitForFunction(() => /floor × e = 0: begins/.test(document.querySelector(".events").textContent));
+  assert.match(await events(), /step 54: floor × e = 1: ends.*step 53: floor × e = 0: begins/s);
+  const late = await events();
+  await scrub(page, 10);
+  assert.doesNotMatch(await events(), /begins/);
+  await scrub(page, 60);
+  assert.equal(await events(), late);
+  assert.deepEqual(await asleep(), []);
+  await press(page, "[data-step]", 90);
+  assert.ok((await asleep()).includes(1), "the ball without restitution does not sleep");
+  assert.ok((await page.$$eval(".labels span", (list) => list.map((x) => x.textContent))).includes("z"));
+  await page.selectOption('[data-body="0"]', { label: "e = 0" });
+  assert.match(await page.textContent(".side"), /sleeps\s*yes/);
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "time-asleep.png"), fullPage: true });
+  await page.click(".legend > summary");
+  await page.uncheck("[data-layer=sleep]");
+  assert.deepEqual(await asleep(), []);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: ten seconds of a large scene can be gone back", async () => {
+  const page = await scene("thousand");
+  const first = await page.evaluate(() => {
+    const { play } = window.lab;
+    for (let i = 0; i < 130; i++) play.forward(i < 129);
+    return play.first;
+  });
+  assert.equal(first, 0);
+  const near = (await shown(page)).poses;
+  await scrub(page, 35);
+  assert.equal((await shown(page)).frames, 35);
+  await scrub(page, 130);
+  assert.deepEqual((await shown(page)).poses.map((x) => x.toFixed(9)), near.map((x) => x.toFixed(9)));
+  await frame(page);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: filters, triggers and bodies that stand are named where bodies overlap and are no pair", async () => {
+  const ball = { type: "sphere", sphere: { radius: 1 } }, turned = [0, 0, 0, 1];
+  const of = (name, x, more) => ({ name, shape: ball, translation: [x, 0, 0], rotation: turned, moves: true, ...more });
+  const bodies = [of("one", 0, { filter: { category: 1, mask: 2 } }), of("other", 0.5, { filter: { category: 4, mask: 1, group: 3 } }), of("free", 1),
+    of("watch", 0.7, { trigger: true, moves: false }), of("wall", 0.2, { moves: false }), of("post", 0.1, { moves: false })];
+  const told = async (a, b) => {
+    const at = JSON.stringify({ selected: [a, b] }), page = await visit(`#/scene?s=${encodeURIComponent(JSON.stringify({ name: "filters", bodies }))}&at=${encodeURIComponent(at)}`, small);
+    const said = await page.textContent(".words"), found = await page.evaluate(([i, j]) => window.lab.found.some((p) => [p.a, p.b].includes(i) && [p.a, p.b].includes(j)), [a, b]);
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+    return [said, found];
+  };
+  for (const [a, b, words, pair] of [[0, 1, /They overlap.*filter excludes this pair.*category 0x1, mask 0x2; B has category 0x4, mask 0x1, group 3/, false],
+    [1, 2, /They touch/, true], [2, 3, /They overlap.*watch is a trigger/, true], [4, 5, /They overlap.*Both stand/, false]]) {
+    const [said, found] = await told(a, b);
+    assert.match(said, words);
+    assert.equal(found, pair, said);
+  }
+});
