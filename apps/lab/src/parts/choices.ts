@@ -54,13 +54,14 @@ export class Choices {
   private bits({ key, label, names }: Bits): HTMLElement {
     let now = 0;
     const bit = (name: string, i: number): HTMLElement => {
-      const button = h("button", { type: "button", "data-bit": `${key}-${i}`, "aria-label": `${label}: ${name}`, title: name,
+      const button = h("button", { type: "button", "data-bit": `${key}-${i}`, title: name,
         onclick: () => this.onChoose(key, now ^ (1 << i)) });
       this.shows.push(({ choice }) => {
         now = Number(choice?.[key] ?? 0);
         const set = (now >> i) % 2 === 1;
         button.setAttribute("aria-pressed", String(set));
         button.textContent = set ? "1" : "0";
+        button.setAttribute("aria-label", `${label}: ${name}, ${button.textContent}`); // the name holds what is seen
       });
       return button;
     };

@@ -14,6 +14,7 @@ import { Table } from "../parts/table.ts";
 import { Timeline } from "../parts/timeline.ts";
 import { bodiesAt, readCapture, type Captured, type CapturedFrame } from "../scene/captured.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
+import { EventList } from "../scene/events.ts";
 import { Inquiry } from "../scene/inquiry.ts";
 import { captureLayers, whenStepped } from "../scene/layers.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
@@ -62,6 +63,7 @@ export class CaptureRoom implements Room {
   private readonly still = whenStill(() => this.write());
   private readonly pairs = new Table();
   private readonly found = new Table();
+  private readonly events = new EventList("frame");
   private readonly plot = h("div", { class: "plot" });
   private readonly counter = h("p", { class: "counter", "aria-live": "polite" });
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
@@ -92,7 +94,7 @@ export class CaptureRoom implements Room {
     this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: captured.report.plane });
     const { left, side, handle } = drawer([this.chooser.tree], [
       fold("properties", "Properties", this.inquiry.info, this.steps.element, this.found.element, this.inquiry.table.element, this.inquiry.element),
-      fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element)]);
+      fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element), fold("events", "Events", this.events.element)]);
     this.element = h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, name), this.intro),
       h("div", { class: "choices" }, ...opener("Open another file", onFiles), ...shootingButtons((kind) => this.takeAim(kind))),
@@ -254,6 +256,8 @@ export class CaptureRoom implements Room {
     this.pairs.show(pairRows(pairs, "Pairs in this frame", (i) => this.captured.bodies[i].name, this.selected, (bodies) => this.select(bodies)));
     this.plot.replaceChildren(drawGraph({ caption: "deepest penetration", at: this.frame,
       series: [{ name: digits(frames[this.frame].deepest, 3), meaning: "touch", values: frames.map((x) => x.deepest) }] }));
+    // Frames are counted from one, as beside the slider.
+    this.events.show(this.frame + 1, (number) => frames[number - 1]?.events, (i) => this.captured.bodies[i].name);
     this.tell();
     this.still.call();
   }

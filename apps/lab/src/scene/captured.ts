@@ -3,6 +3,7 @@
 import { graze } from "../graze.ts";
 import { flatSolidDrawn, solidDrawn, type Solid } from "../parts/solid.ts";
 import type { Shape, Vec } from "../question.ts";
+import { sorted, type ContactEvent, type StepEvents } from "./events.ts";
 import type { SceneBody } from "./model.ts";
 import { placesOfPlane, type Pair } from "./run.ts";
 
@@ -35,6 +36,7 @@ export interface CapturedFrame {
   poses: Float64Array;
   there: ReadonlySet<number>;
   pairs: CapturedPair[];
+  events: StepEvents;
   deepest: number;
 }
 export interface Captured {
@@ -125,8 +127,13 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
       a: numbers.get(a)!, b: numbers.get(b)!, overlap, manifolds: manifolds.map((m) => ({ normal: m.normal,
         points: m.points.map((p) => ({ a: p.a, b: p.b, distance: p.distance, impulse: p.impulse, feature: (p.feature >>> 0).toString(16) })) })),
     }));
+    // A body that is not there any more has no number in this frame, and none of its events.
+    const events = world.events().flatMap(({ kind, trigger, a, b }): ContactEvent[] => {
+      const [one, other] = [numbers.get(a.index), numbers.get(b.index)];
+      return one === undefined || other === undefined ? [] : [{ kind, trigger, a: one, b: other }];
+    });
     const deepest = Math.max(0, ...pairs.flatMap((pair) => pair.manifolds.flatMap((m) => m.points.map((p) => -p.distance))));
-    frames.push({ poses: kept, there: new Set(there.keys()), pairs: pairs.slice(0, mostPairs), deepest });
+    frames.push({ poses: kept, there: new Set(there.keys()), pairs: pairs.slice(0, mostPairs), events: sorted(events), deepest });
   });
   if (!area) throw new Error("the capture has no whole frame");
   for (const [i, body] of bodies.entries()) body.moves = movesIn(frames, i);

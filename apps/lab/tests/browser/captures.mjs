@@ -6,7 +6,7 @@ import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { beyond, drawn, files, looks, press, scene, showsAxis } from "./scene-page.mjs";
-import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
+import { accessible, graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
 /** Fifteen boxes that fall into a heap: two seconds, as a program captures them, which names the floor; and how many
  *  pairs overlap then. */
@@ -120,6 +120,27 @@ test("viewer: opens a capture of a simulation of the plane, made by the program 
   }
   assert.deepEqual(page.trouble, []);
   await page.context().close();
+});
+
+test("captures: events are listed by names, and the page has no finding of axe and fits a phone", async () => {
+  const { bytes } = capturedHeap(), begun = [];
+  graze.replay(bytes, (world, number) => {
+    for (const { kind, a, b } of world.events()) if (kind === "begin") begun.push([number, a.index, b.index]);
+  });
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await visit("#/scene", { axe: true, colorScheme, viewport: { width: 390, height: 844 } });
+    await page.setInputFiles("input[type=file]", { name: "heap.capture", mimeType: "application/octet-stream", buffer: bytes });
+    await page.waitForSelector("[data-next]");
+    await page.click('[aria-label="Last frame"]');
+    await page.click(".drawer-handle");
+    const [last] = begun.slice(-1), listed = await page.$$eval(".events li", (list) => list.map((x) => x.textContent));
+    assert.ok(listed.some((line) => line.startsWith(`frame ${last[0]}: `) && line.includes(`box ${last[2]}: begins`)), `${last}: ${listed}`);
+    await accessible(page, colorScheme);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
+    if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, `capture-phone-${colorScheme}.png`), fullPage: true });
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
 });
 
 test("captures: a frame is asked as a scene is", async () => {

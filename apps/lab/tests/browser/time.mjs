@@ -95,7 +95,7 @@ test("time: undo and redo take back steps, materials, shots and measures, by but
 });
 
 test("time: a run is gone through by a slider, back and forward to the same bits, and goes on from anywhere", async () => {
-  const page = await scene("pyramid"), poses = [];
+  const page = await scene("domino"), poses = [];
   for (let i = 0; i < 40; i++) {
     await press(page, "[data-step]", 1);
     if (i % 10 === 9) poses.push((await shown(page)).poses);

@@ -296,6 +296,17 @@ test("viewer has no finding of axe, and fits a phone", async () => {
   }
 });
 
+test("the list of lessons has no finding of axe", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const viewport of [{ width: 1280, height: 900 }, { width: 390, height: 844 }]) {
+      const page = await visit("", { axe: true, colorScheme, viewport });
+      await accessible(page, colorScheme);
+      assert.deepEqual(page.trouble, []);
+      await page.context().close();
+    }
+  }
+});
+
 test("viewer: layers are switched off and on, the address holds them, the speed and the camera", async () => {
   const page = await scene("heavy");
   await page.click('.numbers button.choose:text-is("light × heavy")');
