@@ -151,7 +151,9 @@ or a compound. None of what has no corners, or is not certain.)");
         return answered(trace, [&](Trace* t) { return closest(shape, pose.value, p, t); });
       },
       py::arg("shape"), py::arg("pose"), py::arg("point"), py::arg("trace") = false,
-      "The point of a shape's surface nearest to a point; the distance is negative inside a solid.");
+      R"(The point of a shape's surface nearest to a point: a Closest, whose distance is negative inside a solid.
+
+With trace=True (answer, trace). Raises ValueError for a point or a pose that is not finite.)");
 }
 
 void add_rays_and_casts(py::module_& m) {
