@@ -14,9 +14,9 @@ rays::MaybeHit convex_raycast(const Shape<T>& shape, const rays::LocalRay& ray, 
 /// The radius of a ball about a bounded shape's origin that contains the shape, enlarged by the rounding of the sum in
 /// T.
 template <class C, class T>
-double ball_around(const C& concrete, T margin) {
+double ball_around(const C& concrete, T rounding) {
   const auto wide = [](T value) { return static_cast<double>(value); };
-  return (wide(concrete.core_extent()) + wide(concrete.core_radius()) + wide(margin)) *
+  return (wide(concrete.core_extent()) + wide(concrete.core_radius()) + wide(rounding)) *
          (1 + 8 * wide(std::numeric_limits<T>::epsilon()));
 }
 

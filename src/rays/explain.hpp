@@ -21,23 +21,23 @@ class RayExplanation {
   RayExplanation(const LocalRay& ray, Trace& trace) : ray_(ray), trace_(trace) {}
 
   template <class T>
-  Made of(const Sphere<T>& s, T margin) {
-    ball("ball", converted<double>(s.center()), wide(s.radius()) + wide(margin));
+  Made of(const Sphere<T>& s, T rounding) {
+    ball("ball", converted<double>(s.center()), wide(s.radius()) + wide(rounding));
     return Made::of_all;
   }
   template <class T>
-  Made of(const Capsule<T>& c, T margin) {
-    const double h = wide(c.half_height()), m = wide(margin);
+  Made of(const Capsule<T>& c, T rounding) {
+    const double h = wide(c.half_height()), m = wide(rounding);
     return balls({0, -h, 0}, wide(c.radius_bottom()) + m, {0, h, 0}, wide(c.radius_top()) + m);
   }
   template <class T>
-  Made of(const LineSegment<T>& s, T margin) {
-    return balls(converted<double>(s.point(0)), wide(margin), converted<double>(s.point(1)), wide(margin));
+  Made of(const LineSegment<T>& s, T rounding) {
+    return balls(converted<double>(s.point(0)), wide(rounding), converted<double>(s.point(1)), wide(rounding));
   }
   template <class T>
-  Made of(const Box<T>& box, T margin) {
+  Made of(const Box<T>& box, T rounding) {
     const Vec3d half = converted<double>(box.half_extents());
-    if (margin > T(0)) return steps(box, margin, DistanceToBox{half});
+    if (rounding > T(0)) return steps(box, rounding, DistanceToBox{half});
     for (std::size_t i = 0; i < 3; ++i) {
       Vec3d axis{};
       axis[i] = 1;
@@ -47,23 +47,23 @@ class RayExplanation {
     return Made::of_all;
   }
   template <class T>
-  Made of(const Rectangle<T>& rectangle, T margin) {
-    return of(rectangle.as_box(), margin);
+  Made of(const Rectangle<T>& rectangle, T rounding) {
+    return of(rectangle.as_box(), rounding);
   }
   template <class T>
-  Made of(const Cylinder<T>& c, T margin) {
+  Made of(const Cylinder<T>& c, T rounding) {
     const double h = wide(c.half_height()), bottom = wide(c.radius_bottom()), top = wide(c.radius_top());
-    if (margin > T(0)) return steps(c, margin, DistanceToFrustum{{h, bottom, top}});
+    if (rounding > T(0)) return steps(c, rounding, DistanceToFrustum{{h, bottom, top}});
     slab("slab of the caps", {0, 1, 0}, h);
     side(h, bottom, top);
     trace_.method = "slab and quadratic of the side";
     return Made::of_all;
   }
   template <class T>
-  Made of(const Ellipsoid<T>& e, T margin) {
+  Made of(const Ellipsoid<T>& e, T rounding) {
     const Vec3d radii = converted<double>(e.radii());
-    if (margin > T(0) || !(radii.x > 0 && radii.y > 0 && radii.z > 0))
-      return steps(e, margin, DistanceBySupport<Ellipsoid<T>>{e});
+    if (rounding > T(0) || !(radii.x > 0 && radii.y > 0 && radii.z > 0))
+      return steps(e, rounding, DistanceBySupport<Ellipsoid<T>>{e});
     const auto scaled = [&](const Vec3d& p) { return Vec3d{p.x / radii.x, p.y / radii.y, p.z / radii.z}; };
     const Vec3d direction = scaled(ray_.direction);
     const double speed = length(direction);
@@ -74,16 +74,16 @@ class RayExplanation {
     return Made::of_all;
   }
   template <class T>
-  Made of(const Triangle<T>& t, T margin) {
+  Made of(const Triangle<T>& t, T rounding) {
     const Vec3d p[3] = {converted<double>(t.point(0)), converted<double>(t.point(1)), converted<double>(t.point(2))};
-    if (margin > T(0)) return steps(t, margin, DistanceToTriangle{p[0], p[1], p[2]});
+    if (rounding > T(0)) return steps(t, rounding, DistanceToTriangle{p[0], p[1], p[2]});
     return polygon(3, [&](std::size_t i) { return p[i]; });
   }
   template <class T>
-  Made of(const ConvexHull<T>& hull, T margin) {
+  Made of(const ConvexHull<T>& hull, T rounding) {
     const HullData<T>& data = hull.data();
     const auto vertex = [&](std::size_t i) { return converted<double>(data.vertices[i]); };
-    if (margin > T(0)) return steps(hull, margin, DistanceBySupport<ConvexHull<T>>{hull});
+    if (rounding > T(0)) return steps(hull, rounding, DistanceBySupport<ConvexHull<T>>{hull});
     if (data.dimension < 2) return balls(vertex(0), 0, vertex(static_cast<std::size_t>(data.dimension)), 0);
     if (data.dimension == 2) {
       const auto loop = data.loop(0);
@@ -95,12 +95,12 @@ class RayExplanation {
     return Made::of_all;
   }
   template <class T>
-  Made of(const UserConvex<T>& user, T margin) {
-    return steps(user, margin, DistanceBySupport<UserConvex<T>>{user});
+  Made of(const UserConvex<T>& user, T rounding) {
+    return steps(user, rounding, DistanceBySupport<UserConvex<T>>{user});
   }
   template <class T>
-  Made of(const HalfSpace<T>&, T margin) {
-    behind("plane", {0, 1, 0}, wide(margin));
+  Made of(const HalfSpace<T>&, T rounding) {
+    behind("plane", {0, 1, 0}, wide(rounding));
     trace_.method = "plane";
     return Made::of_all;
   }
@@ -200,8 +200,8 @@ class RayExplanation {
 
   /// The steps of the advancement towards a core plus a ball, recorded from its distance queries.
   template <class C, class T, class DistanceAt>
-  Made steps(const C& concrete, T margin, const DistanceAt& distance_at) {
-    const double radius = wide(margin), size = wide(concrete.core_extent()) + radius;
+  Made steps(const C& concrete, T rounding, const DistanceAt& distance_at) {
+    const double radius = wide(rounding), size = wide(concrete.core_extent()) + radius;
     const auto noted = [&](const Vec3d& p) {
       const PointDistance gap = distance_at(p);
       const double t = dot(p - ray_.origin, ray_.direction);
@@ -211,7 +211,7 @@ class RayExplanation {
         trace_.steps.push_back({t, gap.distance - radius, gap.normal});
       return gap;
     };
-    hit_rounded(ray_, noted, radius, wide(concrete.core_extent()), slack_of(concrete, margin));
+    hit_rounded(ray_, noted, radius, wide(concrete.core_extent()), slack_of(concrete, rounding));
     trace_.method = "conservative advancement";
     return Made::by_steps;
   }

@@ -262,51 +262,51 @@ Moments of_box(const Vec3<T>& half_t, double r) {
 }
 
 template <class T>
-Moments of(const Sphere<T>& s, double margin) {
-  const double r = static_cast<double>(s.radius()) + margin;
+Moments of(const Sphere<T>& s, double rounding) {
+  const double r = static_cast<double>(s.radius()) + rounding;
   return moved(revolved(0, 0, r, 0, r), {converted<double>(s.center()), {}});
 }
 template <class T>
-Moments of(const Capsule<T>& c, double margin) {
-  return revolved(static_cast<double>(c.half_height()), 0, static_cast<double>(c.radius_bottom()) + margin, 0,
-                  static_cast<double>(c.radius_top()) + margin);
+Moments of(const Capsule<T>& c, double rounding) {
+  return revolved(static_cast<double>(c.half_height()), 0, static_cast<double>(c.radius_bottom()) + rounding, 0,
+                  static_cast<double>(c.radius_top()) + rounding);
 }
 template <class T>
-Moments of(const Cylinder<T>& c, double margin) {
-  return revolved(static_cast<double>(c.half_height()), static_cast<double>(c.radius_bottom()), margin,
-                  static_cast<double>(c.radius_top()), margin);
+Moments of(const Cylinder<T>& c, double rounding) {
+  return revolved(static_cast<double>(c.half_height()), static_cast<double>(c.radius_bottom()), rounding,
+                  static_cast<double>(c.radius_top()), rounding);
 }
 template <class T>
-Moments of(const Box<T>& b, double margin) {
-  return of_box(b.half_extents(), margin);
+Moments of(const Box<T>& b, double rounding) {
+  return of_box(b.half_extents(), rounding);
 }
 template <class T>
-Moments of(const Rectangle<T>& r, double margin) {
-  return of_box(r.as_box().half_extents(), margin);
+Moments of(const Rectangle<T>& r, double rounding) {
+  return of_box(r.as_box().half_extents(), rounding);
 }
 template <class T>
-Moments of(const Ellipsoid<T>& e, double margin) {
+Moments of(const Ellipsoid<T>& e, double rounding) {
   const Vec3d r = converted<double>(e.radii());
-  if (margin > 0) return sampled(Shape<double>(Ellipsoid<double>(r), margin));
+  if (rounding > 0) return sampled(Shape<double>(Ellipsoid<double>(r), rounding));
   const double volume = 4 * pi / 3 * r.x * r.y * r.z;
   return {volume, {}, Mat3d::diagonal(scaled(r, r)) * (volume / 5)};
 }
 template <class T>
-Moments of(const LineSegment<T>& s, double margin) {
-  return of_points({converted<double>(s.point(0)), converted<double>(s.point(1))}, margin);
+Moments of(const LineSegment<T>& s, double rounding) {
+  return of_points({converted<double>(s.point(0)), converted<double>(s.point(1))}, rounding);
 }
 template <class T>
-Moments of(const Triangle<T>& t, double margin) {
+Moments of(const Triangle<T>& t, double rounding) {
   return of_points({converted<double>(t.point(0)), converted<double>(t.point(1)), converted<double>(t.point(2))},
-                   margin);
+                   rounding);
 }
 template <class T>
-Moments of(const ConvexHull<T>& h, double margin) {
-  return of_hull(h.data(), margin);
+Moments of(const ConvexHull<T>& h, double rounding) {
+  return of_hull(h.data(), rounding);
 }
 template <class T>
-Moments of(const UserConvex<T>& u, double margin) {
-  return sampled(Shape<T>(u, static_cast<T>(margin)));
+Moments of(const UserConvex<T>& u, double rounding) {
+  return sampled(Shape<T>(u, static_cast<T>(rounding)));
 }
 template <class T>
 Moments of(const HalfSpace<T>&, double) {

@@ -111,25 +111,25 @@ BallAndBox<S> sphere_capsule_pair(const Rounded<PointCore<S>, S>& ball, const Po
 }
 
 template <class T>
-Rounded<PointCore<T>, T> rounded_core(const Sphere<T>& sphere, T margin) {
-  return {core_of(sphere), rounding_radius(sphere, margin)};
+Rounded<PointCore<T>, T> rounded_core(const Sphere<T>& sphere, T rounding) {
+  return {core_of(sphere), rounding_radius(sphere, rounding)};
 }
 /// The core of an untapered capsule.
 template <class T>
-Rounded<AxisCore<T>, T> rounded_core(const Capsule<T>& capsule, T margin) {
-  return {{capsule.half_height()}, rounding_radius(capsule, margin)};
+Rounded<AxisCore<T>, T> rounded_core(const Capsule<T>& capsule, T rounding) {
+  return {{capsule.half_height()}, rounding_radius(capsule, rounding)};
 }
 template <class T>
-Rounded<BoxCore<T>, T> rounded_core(const Box<T>& box, T margin) {
-  return {core_of(box), margin};
+Rounded<BoxCore<T>, T> rounded_core(const Box<T>& box, T rounding) {
+  return {core_of(box), rounding};
 }
 template <class T>
-Rounded<BoxCore<T>, T> rounded_core(const Rectangle<T>& rectangle, T margin) {
-  return {core_of(rectangle), margin};
+Rounded<BoxCore<T>, T> rounded_core(const Rectangle<T>& rectangle, T rounding) {
+  return {core_of(rectangle), rounding};
 }
 template <class T>
-Rounded<TriangleCore<T>, T> rounded_core(const Triangle<T>& triangle, T margin) {
-  return {{{triangle.point(0), triangle.point(1), triangle.point(2)}}, margin};
+Rounded<TriangleCore<T>, T> rounded_core(const Triangle<T>& triangle, T rounding) {
+  return {{{triangle.point(0), triangle.point(1), triangle.point(2)}}, rounding};
 }
 
 /// Applies the macro `f(A, B)` to the pairs that `sphere_capsule_pair` answers for: spheres and untapered capsules with

@@ -32,13 +32,13 @@ namespace graze {
 template <class C, class T>
 struct InPlace {
   const C& shape;
-  T margin;  ///< `rounding()`
+  T rounded_by;  ///< `rounding()`
   const Pose<T>& pose;
 
   /// The rounding radius of the shape.
-  T rounding() const { return margin; }
+  T rounding() const { return rounded_by; }
   /// The rounding radius plus the core's own.
-  T radius() const { return rounding_radius(shape, margin); }
+  T radius() const { return rounding_radius(shape, rounded_by); }
 };
 
 }  // namespace graze
