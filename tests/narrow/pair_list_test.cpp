@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "graze/typed_query.hpp"
 #include "narrow/batch/lane_pairs.hpp"
 
 namespace graze {
@@ -40,6 +41,41 @@ TEST(PairList, LanesAreFoundBothWaysRound) {
     EXPECT_EQ(lane_table<double>(b, a).pair, lane_table<double>(a, b).pair);
     EXPECT_EQ(lane_table<double>(b, a).turned, a != b);
   });
+}
+
+/// Whether the list has a pair of two kinds in this order.
+template <class A, class B>
+bool is_listed() {
+  bool found = false;
+  PairList::each([&]<class P>() { found |= std::is_same_v<KindA<P>, A> && std::is_same_v<KindB<P>, B>; });
+  return found;
+}
+
+/// Calls `f` with each two kinds as its template arguments, both ways round.
+template <template <class> class... Kinds>
+struct EachTwoKinds {
+  template <class F>
+  static void call(const F& f) {
+    (with<Kinds>(f), ...);
+  }
+
+ private:
+  template <template <class> class A, class F>
+  static void with(const F& f) {
+    (f.template operator()<A, Kinds>(), ...);
+  }
+};
+
+TEST(PairList, HoldsEveryTypedPairInTheOrderOfShapes) {
+  std::size_t typed = 0;
+  EachTwoKinds<Sphere, Capsule, Box, Rectangle, LineSegment, Triangle>::call(
+      [&]<template <class> class A, template <class> class B>() {
+        if (detail::most_points<A, B> == 0) return;
+        ++typed;
+        EXPECT_TRUE((is_listed<A<double>, B<double>>())) << A<double>::name << ", " << B<double>::name;
+        EXPECT_EQ((most_contacts<A, B>), (most_contacts<B, A>)) << A<double>::name << ", " << B<double>::name;
+      });
+  EXPECT_EQ(typed, 8u);
 }
 
 /// The table of docs/across-lanes.md: what is answered across lanes (=) and what one by one (1).
