@@ -116,4 +116,11 @@ class AxisPermutation<S> {
   std::size_t place_;
 };
 
+/// The cross product of the chosen axis with a vector, of which one component is zero.
+template <class S>
+Vec3<S> cross(const AxisPermutation<S>& axis, const Vec3<S>& v) {
+  const S zero(0);
+  return axis.pick(Vec3<S>{zero, -v.z, v.y}, Vec3<S>{v.z, zero, -v.x}, Vec3<S>{-v.y, v.x, zero});
+}
+
 }  // namespace graze

@@ -70,8 +70,7 @@ struct MeetingBoxes {
     using std::sqrt;
     const S zero(0), first = select(number < S(3), zero, select(number < S(6), S(1), S(2)));
     const Vec3<S> along = AxisPermutation<S>(number - first * S(3)).pick(p.rotation);
-    const Vec3<S> product = AxisPermutation<S>(first).pick(
-        Vec3<S>{zero, -along.z, along.y}, Vec3<S>{along.z, zero, -along.x}, Vec3<S>{-along.y, along.x, zero});
+    const Vec3<S> product = cross(AxisPermutation<S>(first), along);
     const S scale = S(1) / sqrt(length_squared(product));
     return product * (scale * select(dot(p.translation, product) < zero, S(-1), S(1)));
   }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
+#include "simd/axis_permutation.hpp"
 #include "simd/packed.hpp"
 
 namespace graze {
@@ -169,8 +170,7 @@ BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d
   const S j = number - select(first, S(0), select(second, S(3), S(6))), scale = toward / sqrt(squared);
   const Vec3<S> f =
       select(j == S(0), of_corner(d.along, 0), select(j == S(1), of_corner(d.along, 1), of_corner(d.along, 2)));
-  const Vec3<S> product =
-      select(first, Vec3<S>{S(0), -f.z, f.y}, select(second, Vec3<S>{f.z, S(0), -f.x}, Vec3<S>{-f.y, f.x, S(0)}));
+  const Vec3<S> product = cross(AxisPermutation<S>::of(first, second), f);
   const S separation = sqrt(abs(gap) / squared);
   return {select(gap < S(0), -separation, separation), product * scale};
 }
