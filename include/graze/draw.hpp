@@ -171,6 +171,15 @@ GRAZE_API void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const
 template <class T, class Space>
 GRAZE_API void draw(DebugDraw& on, const World<T, Space>& world);
 
+/// One body of a world as the drawing of the whole world shows it: by what it does, with its bounds. Throws
+/// `InvalidValue` for a body that is not in the world. Time grows with the pairs of the last update.
+template <class T, class Space>
+GRAZE_API void draw(DebugDraw& on, const World<T, Space>& world, BodyId body);
+/// One body of a simulation as the drawing of the whole simulation shows it. Throws `InvalidValue` for a body that is
+/// not in it.
+template <class T, class Space>
+GRAZE_API void draw(DebugDraw& on, const Simulation<T, Space>& simulation, BodyId body);
+
 /// A simulation: its world, with sleeping bodies marked, and its joints. Bodies are drawn where the last step left
 /// them, contacts where they were at its beginning.
 template <class T, class Space>

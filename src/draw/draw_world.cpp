@@ -1,6 +1,9 @@
 // The drawing of worlds, simulations and their parts: bodies, bounds, contacts, joints, trees.
+#include <algorithm>
+
 #include "draw/points.hpp"
 #include "graze/draw.hpp"
+#include "graze/error.hpp"
 
 namespace graze {
 
@@ -34,17 +37,36 @@ void draw_contacts(DebugDraw& on, const World<T, Space>& world) {
       draw_points(on, manifold.normal, contacts.points_of(manifold));
 }
 
+template <class T, class Space, class AnyPose>
+void draw_body(DebugDraw& on, const World<T, Space>& world, std::uint32_t i, const AnyPose& pose, DrawMeaning meaning) {
+  const auto& shape = world.bodies().shapes()[i];
+  draw(on, shape, pose, meaning);
+  if (on.wants(DrawLayer::bounds)) draw(on, Space::bounds(shape, pose));
+}
+
 /// Draws the bodies. `asleep(i)`: whether a body that touches something rests on it.
 template <class T, class Space, class Poses, class Asleep>
 void draw_bodies(DebugDraw& on, const World<T, Space>& world, const Poses& poses, const Asleep& asleep) {
   const auto& bodies = world.bodies();
   const std::vector<std::uint8_t> touching = touching_bodies(world);
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies.alive()[i]) continue;
-    if (on.wants(DrawLayer::shapes))
-      draw(on, bodies.shapes()[i], poses[i], asleep(i) ? DrawMeaning::asleep : meaning_of(world, i, touching[i] != 0));
-    if (on.wants(DrawLayer::bounds)) draw(on, Space::bounds(bodies.shapes()[i], poses[i]));
-  }
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    if (bodies.alive()[i])
+      draw_body(on, world, i, poses[i], asleep(i) ? DrawMeaning::asleep : meaning_of(world, i, touching[i] != 0));
+}
+
+/// The number of a body that is there.
+template <class T, class Space>
+std::uint32_t number_of(const World<T, Space>& world, BodyId id) {
+  if (!world.bodies().contains(id)) throw InvalidValue("id", "a body of this world", "one that is not in it");
+  return id.index;
+}
+
+template <class T, class Space>
+bool touches(const World<T, Space>& world, std::uint32_t body) {
+  const auto& pairs = world.contacts().pairs;
+  return std::any_of(pairs.begin(), pairs.end(), [&](const ContactPair<T>& pair) {
+    return pair.overlap && pair.manifold_count > 0 && (pair.a == body || pair.b == body);
+  });
 }
 
 /// Draws the boxes of a tree, each as `shown` gives it.
@@ -123,6 +145,21 @@ void draw(DebugDraw& on, const World<T, Space>& world) {
 }
 
 template <class T, class Space>
+void draw(DebugDraw& on, const World<T, Space>& world, BodyId body) {
+  const std::uint32_t i = number_of(world, body);
+  draw_body(on, world, i, world.bodies().poses()[i], meaning_of(world, i, touches(world, i)));
+}
+
+template <class T, class Space>
+void draw(DebugDraw& on, const Simulation<T, Space>& simulation, BodyId body) {
+  const World<T, Space>& world = simulation.world();
+  const std::uint32_t i = number_of(world, body);
+  const bool asleep = simulation.asleep(body);
+  draw_body(on, world, i, simulation.poses()[i],
+            asleep ? DrawMeaning::asleep : meaning_of(world, i, touches(world, i)));
+}
+
+template <class T, class Space>
 void draw(DebugDraw& on, const Simulation<T, Space>& simulation) {
   const World<T, Space>& world = simulation.world();
   const auto& poses = simulation.poses();
@@ -139,6 +176,8 @@ void draw(DebugDraw& on, const Simulation<T, Space>& simulation) {
 #define GRAZE_DRAW_WORLDS(T, Space)                                                                                    \
   template DrawArea draw_area(const World<T, Space<T>>&);                                                              \
   template void draw(DebugDraw&, const World<T, Space<T>>&);                                                           \
+  template void draw(DebugDraw&, const World<T, Space<T>>&, BodyId);                                                   \
+  template void draw(DebugDraw&, const Simulation<T, Space<T>>&, BodyId);                                              \
   template void draw(DebugDraw&, const Simulation<T, Space<T>>&)
 #define GRAZE_DRAW_PARTS(T)                                                                                            \
   template void draw(DebugDraw&, const DynamicTree<T>&);                                                               \

@@ -363,6 +363,38 @@ TEST(DebugDraw, AWorldShowsEveryBodyByWhatItDoes) {
   EXPECT_EQ(without.points.size(), drawn.points.size());
 }
 
+TEST(DebugDraw, OneBodyIsDrawnAsItsWorldShowsIt) {
+  Simulationd simulation;
+  Dynamics<double> heavy;
+  heavy.mass = 1;
+  Body<double> floor{HalfSpace<double>()};
+  floor.fixed = true;
+  const BodyId ground = simulation.add(floor);
+  const BodyId box = simulation.add({Box<double>({1, 1, 1}), {{5, 0.5, 0}, {}}}, heavy);
+  const BodyId ball = simulation.add({Sphere<double>(0.5), {{0, 900, 0}, {}}}, heavy);
+  const BodyId gone = simulation.add({Sphere<double>(0.5), {{0, 90, 0}, {}}}, heavy);
+  for (int i = 0; i < 180; ++i) simulation.step(1.0 / 60);
+  simulation.remove(gone);
+  const auto expect_parts = [&](const auto& whole_of, bool in_simulation) {
+    DrawRecorder whole(DrawArea{{}, 10}), parts(DrawArea{{}, 10});
+    whole.off = parts.off = DrawLayer::contacts;
+    draw(whole, whole_of);
+    for (const BodyId id : {ground, box, ball}) draw(parts, whole_of, id);
+    for (int meaning = 0; meaning <= int(DrawMeaning::joint); ++meaning) {
+      const auto count = [&](const DrawRecorder& on, DrawLayer layer) {
+        return count_of(on.triangles, layer, DrawMeaning(meaning)) + count_of(on.lines, layer, DrawMeaning(meaning));
+      };
+      EXPECT_EQ(count(parts, DrawLayer::shapes), count(whole, DrawLayer::shapes)) << meaning;
+      EXPECT_EQ(count(parts, DrawLayer::bounds), count(whole, DrawLayer::bounds)) << meaning;
+    }
+    EXPECT_EQ(count_of(parts.triangles, DrawLayer::shapes, DrawMeaning::asleep) > 0, in_simulation);
+    EXPECT_GT(count_of(parts.triangles, DrawLayer::shapes, DrawMeaning::moving), 0u);
+    EXPECT_THROW(draw(parts, whole_of, gone), InvalidValue);
+  };
+  expect_parts(simulation, true);
+  expect_parts(simulation.world(), false);
+}
+
 TEST(DebugDraw, ASimulationShowsJointsAndWhatSleeps) {
   Simulationd simulation;
   Dynamics<double> heavy;

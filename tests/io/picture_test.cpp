@@ -73,6 +73,20 @@ TEST(Picture, TheLegendNamesWhatIsShown) {
   for (const char* absent : {">static<", ">moving<", ">trigger<"}) EXPECT_FALSE(has(together, absent)) << absent;
 }
 
+TEST(Picture, ShapesWithoutThicknessAreLinesAndDots) {
+  const auto drawn = [](const Shaped& shape) {
+    Scene scene;
+    scene.bodies = {{"floor", -1, MotionType::fixed, {}}, {"thin", -1, MotionType::dynamic, {}}};
+    scene.colliders.push_back({"floor", -1, 0, Shaped(Box<double>({4, 1, 4})), {}, {}, false, {}});
+    scene.colliders.push_back({"thin", -1, 1, shape, {{0, 3, 0}, {}}, {}, false, {}});
+    return draw_picture(scene, collide(scene), {1, 1, 1});
+  };
+  const std::string moving = "#8da9c4";
+  EXPECT_TRUE(has(drawn(LineSegment<double>({-1, 0, 0}, {1, 0, 0})), "stroke=\"" + moving + "\" stroke-width=\"2.4\""));
+  const std::regex dot("<circle [^>]*fill=\"" + moving + "\"");
+  EXPECT_TRUE(std::regex_search(drawn(Sphere<double>(0)), dot));
+}
+
 // Whatever stands on the paper and is no shape has a colour for each paper.
 TEST(Picture, ReadersOfDarkPagesHaveDarkPaper) {
   Scene scene;

@@ -287,6 +287,33 @@ TEST(SceneWriter, MeshFilesAreDrawnAlone) {
   EXPECT_TRUE(load_scene(out).colliders.empty());
 }
 
+TEST(SceneWriter, ShapesWithoutThicknessAreThinSolids) {
+  const Folder folder;
+  const fs::path out = folder.path / "out.glb";
+  Scene scene;
+  scene.bodies = {{"all", -1, MotionType::fixed, {}}};
+  const auto add = [&](const char* name, const Shaped& shape) {
+    scene.colliders.push_back({name, -1, 0, shape, {}, {}, false, {}});
+  };
+  add("box", Box<double>({4, 4, 4}));
+  add("segment", LineSegment<double>({-1, 0, 0}, {1, 0, 0}));
+  add("point", Sphere<double>(0));
+  write_contacts(out, scene, {});
+  const Glb result(out);
+  const double rod = 4.0 / 400, dot = 4.0 / 150;
+  for (const auto& [name, most] :
+       {std::pair{"segment", Vec3d{1, rod, rod}}, std::pair{"point", Vec3d{dot, dot, dot}}}) {
+    const auto nodes = result.added(name, 0);
+    ASSERT_EQ(nodes.size(), 1u) << name;
+    const Json& mesh = result.json["meshes"][nodes[0]["mesh"].get<std::size_t>()];
+    const Json& accessor = result.json["accessors"][mesh["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(accessor["max"][axis].get<double>(), most[axis], 1e-6) << name;
+      EXPECT_NEAR(accessor["min"][axis].get<double>(), -most[axis], 1e-6) << name;
+    }
+  }
+}
+
 TEST(SceneWriter, FaultsNameTheFile) {
   const Folder folder;
   const auto refusal = [&](const fs::path& out, const fs::path& source) -> std::string {
