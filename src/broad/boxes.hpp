@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "graze/broad_phase.hpp"
+#include "graze/validate.hpp"
 
 namespace graze {
 
