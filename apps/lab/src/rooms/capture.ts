@@ -161,6 +161,7 @@ export class CaptureRoom implements Room {
   private say(text: string | null): void {
     this.trouble.textContent = text;
     this.trouble.hidden = text === null;
+    if (text !== null) this.trouble.scrollIntoView({ block: "nearest" });
   }
   private select(selected: number[]): void {
     this.selected = selected;

@@ -295,6 +295,7 @@ export class SceneRoom implements Room {
   private say(text: string | null): void {
     this.trouble.textContent = text;
     this.trouble.hidden = text === null;
+    if (text !== null) this.trouble.scrollIntoView({ block: "nearest" });
   }
 
   // --- Pointer ---

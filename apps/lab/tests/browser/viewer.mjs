@@ -268,14 +268,14 @@ test("viewer: bodies to the left, properties to the right, time below; what is f
   const [bodies, stage, properties, time] = await Promise.all(["[data-fold=bodies]", ".stage3", "[data-fold=properties]", "[data-fold=time]"].map(at));
   assert.ok(bodies.right < stage.left && stage.right < properties.left && stage.bottom < time.top, "not beside the drawing");
   const open = () => page.$$eval("[data-fold]", (list) => list.filter((x) => x.open).map((x) => x.dataset.fold));
-  assert.deepEqual(await open(), ["bodies", "time", "properties", "graphs", "pairs"]);
+  assert.deepEqual(await open(), ["bodies", "time", "properties", "graphs", "pairs", "events"]);
   await page.click("[data-fold=pairs] > summary");
   await page.click("[data-fold=time] > summary");
   assert.equal(await page.isVisible("[data-play]"), false);
   await page.waitForFunction(() => localStorage.getItem("folded")?.includes("time"));
   await page.reload();
   await page.waitForSelector(".stage3");
-  assert.deepEqual(await open(), ["bodies", "properties", "graphs"]);
+  assert.deepEqual(await open(), ["bodies", "properties", "graphs", "events"]);
   await page.click("[data-fold=time] > summary");
   assert.ok(await page.isVisible("[data-play]"));
   assert.deepEqual(page.trouble, []);
