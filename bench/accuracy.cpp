@@ -266,7 +266,7 @@ margins of Bullet are 0, so that its shapes are those of everybody else.
         tables.ray);
   print("Time of impact",
         "Of a shape that moves without turning: how far the two are apart, or deep, at the time told.", tables.cast);
-  plane::print_accuracy(options.pairs / 20, only);
+  plane::print_accuracy(options.pairs / 100, only);
 }
 
 }  // namespace

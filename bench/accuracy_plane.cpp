@@ -105,15 +105,17 @@ void print_accuracy(std::size_t pairs, const std::regex& only) {
     }
   std::string text = table.text();
   while (text.ends_with("\n\n")) text.pop_back();
-  std::printf(
-      "\n## The plane\n\n%zu pairs of each two kinds of `graze::plane`, from 0.1 mm to 100 km, a third of them "
-      "rounded. \"Apart\" and\n\"overlapping\" are signed distances, \"depth\" is that of the deepest contact; "
-      "\"cast\" "
-      "is B moving without turning and \"impact\"\nboth turning: how far apart, or deep, they are at the time told. "
-      "The truth is a search over all directions in extended\nprecision (`tests/plane/figures.hpp`); no contact "
-      "deeper than 2e-5 of the size was found before a hit or where there was\nnone, or its share stands in "
-      "brackets.\n\n%s",
-      pairs, text.c_str());
+  std::printf(R"(
+## The plane
+
+%zu pairs of each two kinds of `graze::plane`, from 0.1 mm to 100 km, a third of them rounded. "Apart" and "overlapping"
+are signed distances, "depth" is that of the deepest contact; "cast" is B moving without turning and "impact" both
+turning: how far apart, or deep, they are at the time told. The truth is a search over all directions in extended
+precision (`tests/plane/figures.hpp`); no contact deeper than 2e-5 of the size was found before a hit or where there was
+none, or its share stands in brackets.
+
+%s)",
+              pairs, text.c_str());
 }
 
 }  // namespace graze::plane
