@@ -32,7 +32,8 @@ template <class T>
 std::optional<BoxPair<double>> as_boxes(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a);
 
 /// The face of a box that leans least from a direction given in the box's own frame; with zero length along one of its
-/// sides an edge, along both a corner.
+/// sides an edge, along both a corner. `Side::face` would round the direction to the shapes' scalar first, which may
+/// choose another face of a box in float that meets along an edge.
 PlacedFace box_face(const Vec3d& half, const Vec3d& direction);
 
 template <class T>
