@@ -152,6 +152,9 @@ GRAZE_API void draw(DebugDraw& on, const TraceGjk& iteration);
 GRAZE_API void draw(DebugDraw& on, const TraceEpa& expansion);
 /// One separating axis as above: with its name and what the intervals share or leave free where it decides.
 GRAZE_API void draw(DebugDraw& on, const TraceAxis& axis, bool decides = true);
+/// One span of a ray within a convex shape: the stretch of the ray inside of that condition, as far as the area where
+/// it has no end; where it decides, with its name, and the normal where the ray enters. Nothing where it is never met.
+GRAZE_API void draw(DebugDraw& on, const TraceSpan& span, const Ray<double>& ray, bool decides = true);
 /// One cut of a face: the side of the other face that cuts, and what is left, with its corners.
 GRAZE_API void draw(DebugDraw& on, const TraceCut& cut);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "draw/in_space.hpp"
+#include "draw/motion_copies.hpp"
 #include "draw/points.hpp"
 #include "graze/draw.hpp"
 
@@ -48,9 +49,6 @@ void draw_ray(DebugDraw& on, const AnyRay& ray, T length, const std::optional<An
   on.arrow(end, way, DrawLayer::rays, DrawMeaning::path);
 }
 
-/// The number of copies that show a turn, and the fewest and the most of a motion; more would hide each other.
-constexpr double copies_a_turn = 12, fewest_copies = 4, most_copies = 24;
-
 template <class T>
 double rate(const Vec3<T>& turning) {
   return length(converted<double>(turning));
@@ -61,10 +59,8 @@ template <class AnyShape, class AnyPose, class AnyVelocity, class T, class AnyHi
 void draw_cast(DebugDraw& on, const AnyShape& shape, const AnyPose& pose, const AnyVelocity& velocity, T duration,
                const std::optional<AnyHit>& hit) {
   if (!on.wants(DrawLayer::casts)) return;
-  constexpr double turn = 6.283185307179586;
   const T until = hit ? hit->t : duration;
-  const double turns = rate(velocity.angular) * double(until) / turn;
-  const int copies = static_cast<int>(std::clamp(turns * copies_a_turn, fewest_copies, most_copies));
+  const int copies = draw_detail::motion_copies(rate(velocity.angular), double(until));
   for (int i = 1; i < copies && until > T(0); ++i)
     draw_shape(on, shape, pose_at(pose, velocity, until * T(i) / T(copies)), DrawLayer::casts, DrawMeaning::ghost);
   const AnyPose last = pose_at(pose, velocity, until);

@@ -91,6 +91,21 @@ void draw(DebugDraw& on, const TraceAxis& axis, bool decides) {
   on.text(foot + along * ((from + to) / 2), axis.name, layer, DrawMeaning::normal);
 }
 
+void draw(DebugDraw& on, const TraceSpan& span, const Ray<double>& ray, bool decides) {
+  if (!on.wants(layer)) return;
+  const Vec3d way = normalized(ray.direction, Vec3d{});
+  const double middle = dot(way, on.area().center - ray.origin);
+  const auto end = [&](double t) { return std::isfinite(t) ? t : middle + std::copysign(on.area().size, t); };
+  const double enter = end(span.enter), leave = end(span.leave);
+  if (!(enter <= leave)) return;
+  const Vec3d from = ray.origin + way * enter;
+  on.line(from, ray.origin + way * leave, layer, decides ? DrawMeaning::a : DrawMeaning::ruled_out);
+  if (!decides || !std::isfinite(span.enter)) return;
+  on.point(from, layer, DrawMeaning::contact);
+  if (span.normal != Vec3d{}) on.arrow(from, span.normal, layer, DrawMeaning::normal);
+  on.text(from, span.name, layer, DrawMeaning::normal);
+}
+
 void draw(DebugDraw& on, const TraceCut& cut) {
   if (!on.wants(layer)) return;
   on.line(cut.from, cut.to, layer, DrawMeaning::normal);

@@ -1,21 +1,8 @@
+#include "draw/motion_copies.hpp"
 #include "graze/io/cast_scene.hpp"
 #include "io/gltf_drawing.hpp"
 
 namespace graze::io {
-
-namespace {
-
-/// The number of copies that show a turn, and the most and the fewest of a motion; more would hide each other.
-constexpr double copies_a_turn = 12, most_copies = 24;
-constexpr int fewest_copies = 4;
-
-int copies(const SceneCast& question, double until) {
-  constexpr double turn = 6.283185307179586;
-  const double turns = length(question.velocity.angular) * until / turn;
-  return static_cast<int>(greatest(double{fewest_copies}, least(most_copies, turns * copies_a_turn)));
-}
-
-}  // namespace
 
 std::vector<std::string> write_cast(const std::filesystem::path& file, const Scene& scene, const SceneCast& question,
                                     const std::vector<SceneHit>& hits, const std::filesystem::path& source) {
@@ -31,7 +18,7 @@ std::vector<std::string> write_cast(const std::filesystem::path& file, const Sce
   if (!hits.empty()) hit.insert(hits.front().other);
   draw_colliders(canvas, model, scene, hit, kept);
 
-  const int count = copies(question, until);
+  const int count = draw_detail::motion_copies(length(question.velocity.angular), until);
   for (int i = 1; i <= count && until > 0; ++i) {
     const bool last = i == count;
     const double t = last ? until : until * i / count;

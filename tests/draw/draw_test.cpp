@@ -290,6 +290,35 @@ TEST(DebugDraw, AnAxisStandsWhereTheAreaIsAndItsIntervalsHaveTheirTrueLengths) {
   EXPECT_TRUE(other.texts.empty());
 }
 
+TEST(DebugDraw, TheSpansOfARayLieOnIt) {
+  const Shaped box = Box<double>({2, 4, 6});
+  const Ray<double> ray{{-5, 0.5, 0.25}, {4, 0.5, 0.25}};
+  Trace trace;
+  const auto hit = raycast(box, Posed{}, ray, 100.0, BackFaces::hit, &trace);
+  ASSERT_TRUE(hit);
+  ASSERT_GE(trace.spans.size(), 3u);
+  const Vec3d way = normalized(ray.direction);
+  for (const TraceSpan& span : trace.spans) {
+    const bool decides = span.name == trace.winner;
+    DrawRecorder drawn(DrawArea{{}, 8});
+    draw(drawn, span, ray, decides);
+    ASSERT_FALSE(drawn.lines.empty()) << span.name;
+    for (const Vec3d& p : drawn.lines[0].at) EXPECT_NEAR(length(cross(p - ray.origin, way)), 0, 1e-12) << span.name;
+    EXPECT_NEAR(length(drawn.lines[0].at[1] - drawn.lines[0].at[0]), span.leave - span.enter, 1e-12) << span.name;
+    ASSERT_EQ(drawn.points.size(), decides ? 1u : 0u) << span.name;
+    if (!decides) continue;
+    EXPECT_NEAR(length(drawn.points[0].at[0] - hit->point), 0, 1e-12);
+    EXPECT_EQ(drawn.texts.at(0).words, trace.winner);
+  }
+  const double infinite = std::numeric_limits<double>::infinity();
+  DrawRecorder endless(DrawArea{{}, 8}), never(DrawArea{{}, 8});
+  draw(endless, TraceSpan{"below", {0, 1, 0}, -infinite, infinite}, Ray<double>{{0, -3, 0}, {2, 0, 0}});
+  ASSERT_EQ(endless.lines.size(), 1u);
+  EXPECT_EQ(endless.lines[0].at, (std::vector<Vec3d>{{-8, -3, 0}, {8, -3, 0}}));
+  draw(never, TraceSpan{"above", {0, 1, 0}, infinite, -infinite}, Ray<double>{{0, -3, 0}, {2, 0, 0}});
+  EXPECT_TRUE(never.lines.empty() && never.points.empty());
+}
+
 TEST(DebugDraw, ACutShowsTheSideThatCutsAndWhatIsLeft) {
   const TraceCut cut{{0, 0, 0}, {2, 0, 0}, {{0, 1, 0}, {2, 1, 0}, {1, 2, 0}}};
   DrawRecorder drawn;
