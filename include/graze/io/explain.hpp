@@ -66,11 +66,11 @@ GRAZE_API std::string outcome_text(const Explanation& explanation);
 /// The explanation as a table for a terminal.
 GRAZE_API std::string explanation_text(const Explanation& explanation);
 
-/// The explanation as a picture in SVG: the shapes, the winning axis with the intervals of both, the points of contact
-/// with their ids, and all axes beside each other; for a ray its spans, for moving bodies both at the start and at the
-/// hit, and the steps up to there; for a blow the velocities before and after it, the impulse and Coulomb's cone. Seen
-/// across the winning axis, from the side of `toward_viewer`; the plane is seen from above, with all axes of two boxes
-/// drawn as projections, and below them the Minkowski difference with the steps of GJK and EPA.
+/// The explanation as a picture in SVG: the shapes, labelled A and B, the winning axis with the intervals of both, the
+/// points of contact with their ids, and all axes beside each other; for a ray its spans, for moving bodies both at the
+/// start and at the hit, and the steps up to there; for a blow the velocities before and after it, the impulse and
+/// Coulomb's cone. Seen across the winning axis, from the side of `toward_viewer`; the plane is seen from above, with
+/// all axes of two boxes drawn as projections, and below them the Minkowski difference with the steps of GJK and EPA.
 GRAZE_API std::string draw_explanation(const Explanation& explanation, const Vec3d& toward_viewer);
 
 /// The features of a contact's number in words: "face 5 of A, vertex 0 of B".
