@@ -58,7 +58,9 @@ graze.Pose(translation=(-1.0, -2.0, -3.0), rotation=(-0.0, -0.0, -0.0, 1.0))
           },
           "The unit quaternion (x, y, z, w).")
       .def_property_readonly("matrix", &matrix_of, "The 4x4 matrix.")
-      .def("inverse", [](const Posed& p) { return inverse(p); })
+      .def(
+          "inverse", [](const Posed& p) { return inverse(p); },
+          "The pose that undoes this one: `pose @ pose.inverse()` is the identity.")
       .def(
           "__matmul__", [](const Posed& p, const Posed& q) { return compose(p, q); }, py::is_operator())
       .def(
