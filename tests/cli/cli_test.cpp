@@ -308,6 +308,23 @@ TEST(Cli, ExplainShowsTheQuantitiesOfAResponse) {
   std::filesystem::remove(file);
 }
 
+TEST(Cli, ExplainCountsTheLinesThatQueryNames) {
+  const auto file = std::filesystem::temp_directory_path() / "graze_explain_lines_test.jsonl";
+  const std::string ball = R"({"query": "raycast", "a": {"shape": {"type": "sphere", "sphere": {"radius": )";
+  const std::string ray = R"(}}}, "ray": {"origin": [9, 0, 0], "direction": [-1, 0, 0]}})";
+  std::ofstream(file) << "\n" << ball << 1 << ray << "\n  \n" << ball << 2 << ray << "\n" << ball << -1 << ray << "\n";
+  const auto explained = [&](const std::string& options) { return run("explain " + file.string() + options); };
+  EXPECT_NE(explained("").output.find("hits at 8"), std::string::npos) << "the first question";
+  EXPECT_NE(explained(" --line 2").output.find("hits at 8"), std::string::npos);
+  EXPECT_NE(explained(" --line 4").output.find("hits at 7"), std::string::npos);
+  EXPECT_EQ(explained(" --line 3").code, 2);
+  EXPECT_NE(explained(" --line 3").output.find("a question as line 3, got a blank line"), std::string::npos);
+  EXPECT_NE(run("query " + file.string()).output.find("line 5: a.shape"), std::string::npos);
+  EXPECT_NE(explained(" --line 5").output.find(", line 5: a.shape"), std::string::npos);
+  EXPECT_NE(explained(" --line 6").output.find("got 5 lines"), std::string::npos);
+  std::filesystem::remove(file);
+}
+
 TEST(Cli, ExplainRefusesWhatIsNoQuestion) {
   const std::string docs = std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes.jsonl";
   EXPECT_EQ(run("explain " + docs + " --line 99").code, 2);
