@@ -1,7 +1,8 @@
 // Casts, times of impact and rays in the plane, one at a time and in batches, beside Box2D.
 //
 // "Cast" is B moving without turning, "impact" B moving and turning, "ray" a ray along B's way from where B starts.
-// "One" and "batch" are those of plane_contacts.cpp; "mixed" is all pairs of all rows shuffled. Box2D's casts stop a little before what they meet, by its slop.
+// "One" and "batch" are those of plane_contacts.cpp; "mixed" is all pairs of all rows shuffled. Box2D's casts stop a
+// little before what they meet, by its slop.
 #include <cstdio>
 #include <random>
 

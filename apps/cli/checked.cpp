@@ -57,7 +57,7 @@ void throw_renamed(const InvalidValue& e, OptionNames names) {
   for (const auto& [own, option] : names)
     if (e.path() == own || e.path().starts_with(std::string(own) + "["))
       throw InvalidValue(option + e.path().substr(std::string(own).size()), e.expectation(), e.found());
-  throw e;
+  throw;
 }
 
 }  // namespace graze::cli

@@ -35,7 +35,7 @@ void check_output(const char* option, const std::string& file, std::span<const s
 
 /// Names of values as the library has them, each with the option that holds it.
 using OptionNames = std::span<const std::pair<const char*, const char*>>;
-/// Throws an error anew under the name of the option that was given.
+/// Throws the error that is being handled anew, under the name of the option that was given.
 [[noreturn]] void throw_renamed(const InvalidValue& e, OptionNames names);
 
 }  // namespace graze::cli

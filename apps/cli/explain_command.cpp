@@ -71,6 +71,7 @@ io::Explanation explained(const ExplainArguments& options, const QuestionLine& q
 int run_explain(const ExplainArguments& options) {
   const Vec3d direction = checked_direction(options.direction);
   check_ending("--svg", options.svg, ".svg");
+  check_output("--svg", options.svg, {&options.file, 1});
   const QuestionLine question = question_line(options);
   const io::Precision precision = precision_of(options.precision);
   std::optional<Progress> progress("explaining");

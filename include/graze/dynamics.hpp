@@ -15,7 +15,7 @@ template <class T>
 struct Dynamics {
   /// Mass, > 0; infinite for a body that impulses do not change: it keeps its velocity, gravity included. By default
   /// the volume of the shape times `density`; required for a shape without volume that is neither fixed nor kinematic.
-  /// A trigger without it keeps its velocity.
+  /// A trigger without it keeps its velocity, whatever its density.
   std::optional<T> mass;
   std::optional<Vec3<T>> center_of_mass;  ///< in the body's frame; by default that of the shape
   /// Moments of inertia about the axes of `inertia_orientation` through the centre of mass: each > 0, infinite for an

@@ -1,9 +1,10 @@
 // Saved states as bytes: for a game that is saved to a file, and for a state that is sent to another computer.
 //
-// Guarantee: a state that was read back restores to the same bits as the one that was written, on every processor.
-// Whatever bytes are read, memory stays in proportion to them, and what comes out is a state with finite numbers in it,
-// or an `InvalidValue` that says what is wrong with them; `Simulation::restore` then refuses the state of other bodies
-// as it refuses any. Bytes of this version of the format, 1, are read by all later versions of the library that have it.
+// Guarantee: a state that was read back restores to the same bits as the one that was written, on every processor, and
+// equal states have equal bytes: the report's times by the clock are left out. Whatever bytes are read, memory stays in
+// proportion to them, and what comes out is a state whose bodies have finite motions, or an `InvalidValue` that says
+// what is wrong with them; `Simulation::restore` then refuses the state of other bodies as it refuses any. The format
+// has a version, 1; bytes of another one are refused.
 #pragma once
 
 #include <string>

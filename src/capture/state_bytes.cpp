@@ -9,7 +9,8 @@
 namespace graze {
 namespace capture {
 
-// Lists of fields are found by the namespace of the `Io`, which an unnamed one is not.
+// `Writing` and `Reading` find lists of fields by argument-dependent lookup in this namespace; an unnamed one is not
+// searched.
 
 /// The first bytes of a state. They hold the end of a line in two forms: a transfer that changes these has changed the
 /// rest too.
@@ -46,28 +47,40 @@ void fields(Io& io, StepReport<T, Space>& r) {
   for (std::size_t* count : {&r.awake, &r.islands, &r.contacts, &r.colors, &r.stopped}) {
     std::uint64_t number = *count;
     io(number);
-    *count = static_cast<std::size_t>(number);
+    if constexpr (std::is_same_v<Io, Reading>) *count = static_cast<std::size_t>(number);
   }
   io(r.most_sub_steps, r.deepest, r.mean_depth, r.residual, r.kinetic_energy, r.potential_energy, r.momentum,
-     r.angular_momentum, r.collide_ms, r.prepare_ms, r.solve_ms, r.continuous_ms, r.whole_ms);
+     r.angular_momentum);
+}
+
+/// The bytes that a value takes at least in the file.
+template <class V>
+std::size_t bytes_of() {
+  Writing bytes;
+  bytes(V{});
+  return bytes.bytes.size();
+}
+template <class Io, class V>
+void fields_of_all(Io& io, std::vector<V>& values) {
+  fields(io, values, bytes_of<V>());
 }
 
 /// The state's fields, in the order of the file.
 template <class Io, class Kept>
 void fields_of_state(Io& io, Kept& kept) {
-  fields(io, kept.bodies, 1);
-  fields(io, kept.joints, 1);
-  fields(io, kept.ids, sizeof(BodyId));
-  fields(io, kept.kinds, sizeof(std::uint32_t));
-  fields(io, kept.poses, 1);
-  fields(io, kept.found_at, 1);
-  fields(io, kept.linear, 1);
-  fields(io, kept.angular, 1);
-  fields(io, kept.impulses, 1);
+  fields_of_all(io, kept.bodies);
+  fields_of_all(io, kept.joints);
+  fields_of_all(io, kept.ids);
+  fields_of_all(io, kept.kinds);
+  fields_of_all(io, kept.poses);
+  fields_of_all(io, kept.found_at);
+  fields_of_all(io, kept.linear);
+  fields_of_all(io, kept.angular);
+  fields_of_all(io, kept.impulses);
   io(kept.settings, kept.last, kept.last_step, kept.usual_step);
 }
 
-/// Looks at all numbers of the values that it is given, as `Writing` and `Reading` do.
+/// Whether all numbers of some values are finite; it takes them as `Writing` does.
 class FiniteNumbers {
  public:
   bool all = true;
@@ -114,7 +127,7 @@ bool is_sound(SimulatedBody<T, Space>& b) {
          b.sub_steps <= 1024;
 }
 
-/// Throws `Damaged` for a state that no simulation was in, and `InvalidValue` for settings and materials that are none.
+/// Throws `Damaged` for a state that no simulation was in, and `InvalidValue` for invalid settings and materials.
 template <class Kept>
 void check_state(Kept& kept) {
   const std::size_t count = kept.bodies.size();
@@ -131,7 +144,7 @@ void check_state(Kept& kept) {
     check(kept.bodies[i].material);
     if (!is_sound(kept.bodies[i]) || !is_sound(kept.poses[i]) || !is_sound(kept.found_at[i]) ||
         !is_accepted(kept.linear[i]) || !is_accepted(kept.angular[i]))
-      throw Damaged{"a body with a motion that is none"};
+      throw Damaged{"a body with an invalid motion"};
   }
   for (auto& impulse : kept.impulses) finite(impulse);
   for (auto& place : kept.joints)
@@ -178,6 +191,8 @@ State<T, Space> read_state(std::string_view bytes) {
     capture::check_state(*state.kept_);
   } catch (const capture::Damaged& damaged) {
     throw InvalidValue("state", "the bytes that state_bytes wrote", damaged.why);
+  } catch (const InvalidValue& e) {
+    throw e.below("state");
   }
   return state;
 }

@@ -95,9 +95,11 @@ void draw(DebugDraw& on, const TraceSpan& span, const Ray<double>& ray, bool dec
   if (!on.wants(layer)) return;
   const Vec3d way = normalized(ray.direction, Vec3d{});
   const double middle = dot(way, on.area().center - ray.origin);
-  const auto end = [&](double t) { return std::isfinite(t) ? t : middle + std::copysign(on.area().size, t); };
-  const double enter = end(span.enter), leave = end(span.leave);
-  if (!(enter <= leave)) return;
+  if (!(span.enter <= span.leave)) return;
+  // An open end lies at the edge of the area, or as far beyond the other end.
+  const double size = on.area().size;
+  const double enter = std::isfinite(span.enter) ? span.enter : std::min(middle, span.leave) - size;
+  const double leave = std::isfinite(span.leave) ? span.leave : std::max(middle, enter) + size;
   const Vec3d from = ray.origin + way * enter;
   on.line(from, ray.origin + way * leave, layer, decides ? DrawMeaning::a : DrawMeaning::ruled_out);
   if (!decides || !std::isfinite(span.enter)) return;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "graze/validate.hpp"
+#include "graze/vec3.hpp"
 
 namespace graze {
 

@@ -1,7 +1,7 @@
 // The data of a saved state.
 //
 // Guarantee: plain values, none of which belongs to the simulation that saved them. Arrays by index of body are as long
-// as each other.
+// as each other; of a state from bytes `read_state` checks that.
 #pragma once
 
 #include "dynamics/simulation_parts.hpp"
@@ -22,9 +22,5 @@ struct State<T, Space>::Kept {
   StepReport<T, Space> last;
   T last_step{}, usual_step{};
 };
-
-/// Throws `InvalidValue` for settings that are none.
-template <class T, class Space>
-void check(const SimulationSettings<T, Space>& settings);
 
 }  // namespace graze

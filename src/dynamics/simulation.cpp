@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-#include "dynamics/kept_state.hpp"
+#include "dynamics/simulation_parts.hpp"
 
 namespace graze {
 
@@ -401,6 +401,7 @@ void Simulation<T, Space>::set_gravity(const typename Space::Vec& gravity) {
 
 #define GRAZE_SIMULATION(T, Space)                                                                                     \
   template struct SimulationParts<T, Space>;                                                                           \
+  template void check(const SimulationSettings<T, Space>&);                                                            \
   template class Simulation<T, Space>;
 GRAZE_SIMULATION(float, Space<float>)
 GRAZE_SIMULATION(double, Space<double>)

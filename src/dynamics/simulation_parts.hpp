@@ -62,6 +62,10 @@ struct Scales {
   T time(T size) const { return gravity > T(0) ? std::sqrt(size / gravity) : T(20) * step; }
 };
 
+/// Throws `InvalidValue` for invalid settings.
+template <class T, class Space>
+void check(const SimulationSettings<T, Space>& settings);
+
 template <class T, class Space>
 struct SimulationParts {
   SimulationParts(const SimulationSettings<T, Space>& s, Executor* e)

@@ -32,11 +32,12 @@ void SimulationParts<T, Space>::wake(std::uint32_t index) {
 template <class T, class Space>
 void SimulationParts<T, Space>::wake_around(std::uint32_t index) {
   wake(index);
-  for (const ContactPair<T>& pair : world.contacts().pairs) {
-    if (pair.manifold_count == 0) continue;  // of a trigger
-    if (pair.a == index) wake(pair.b);
-    if (pair.b == index) wake(pair.a);
-  }
+  if (world.bodies().triggers()[index] == 0)  // which nothing rests on
+    for (const ContactPair<T>& pair : world.contacts().pairs) {
+      if (pair.manifold_count == 0) continue;  // of a trigger
+      if (pair.a == index) wake(pair.b);
+      if (pair.b == index) wake(pair.a);
+    }
   for (const JointPlace<T, Space>& joint : joints) {
     if (!joint.alive || (joint.in_place.a != index && joint.in_place.b != index)) continue;
     wake(joint.in_place.a);

@@ -54,10 +54,12 @@ std::vector<std::uint32_t> kinds_of(const World<T, Space>& world) {
 /// Whether two bodies are alike in what never changes: what they weigh, how large they are, and how they may move.
 template <class T, class Space>
 bool alike(const SimulatedBody<T, Space>& a, const SimulatedBody<T, Space>& b) {
-  return a.mass.mass == b.mass.mass && a.mass.inertia == b.mass.inertia && a.mass.principal == b.mass.principal &&
-         a.size == b.size && a.radius == b.radius && a.gravity_factor == b.gravity_factor &&
-         a.linear_damping == b.linear_damping && a.angular_damping == b.angular_damping && a.movable == b.movable &&
-         a.moves == b.moves && a.may_sleep == b.may_sleep;
+  return a.mass.mass == b.mass.mass && a.mass.inverse_mass == b.mass.inverse_mass && a.mass.inertia == b.mass.inertia &&
+         a.mass.inverse_inertia == b.mass.inverse_inertia && a.mass.principal == b.mass.principal &&
+         a.free.inverse_inertia == b.free.inverse_inertia && a.size == b.size && a.depth == b.depth &&
+         a.radius == b.radius && a.gravity_factor == b.gravity_factor && a.linear_damping == b.linear_damping &&
+         a.angular_damping == b.angular_damping && a.movable == b.movable && a.moves == b.moves &&
+         a.may_sleep == b.may_sleep;
 }
 
 template <class T, class Space>

@@ -28,8 +28,8 @@ plane::Velocity<T> velocity_in(InPlane<T>, const Velocity<double>& v) {
 }
 
 /// The place of a vector of the question among those of the scene.
-inline Vec3d place_in(InSpace<double>, const Vec3d& v) { return v; }
-inline plane::Vec2d place_in(InPlane<double>, const Vec3d& v) { return {v.x, v.y}; }
+Vec3d place_in(InSpace<double>, const Vec3d& v) { return v; }
+plane::Vec2d place_in(InPlane<double>, const Vec3d& v) { return {v.x, v.y}; }
 
 bool is_half_space(const Shaped& shape) { return shape.as<HalfSpace<double>>() != nullptr; }
 bool is_half_space(const plane::Shaped& shape) { return shape.as<plane::HalfPlane<double>>() != nullptr; }
@@ -125,6 +125,7 @@ std::vector<SceneHit> cast_scene(const Scene& scene, const SceneCast& question) 
   return cast_any<InSpace>(scene, question);
 }
 std::vector<SceneHit> cast_scene(const PlaneScene& scene, const SceneCast& question) {
+  if (question.about && question.about->z != 0) validate::fail("about[2]", "0 in the plane", question.about->z);
   return cast_any<InPlane>(scene, question);
 }
 

@@ -20,14 +20,14 @@ Pixel middle_of(const View& view, const Polygons& shape) {
 }
 
 /// A letter outside of a shape, on the side of the unit vector `way`.
-std::string draw_letter(const View& view, const Polygons& shape, const Pixel& way, const char* letter) {
-  constexpr double beside = 11, font = 13, half_tall = 4;
+std::string draw_letter(const View& view, const Polygons& shape, const Pixel& way, const char* name) {
+  constexpr double beside = 11, size = 13, half_tall = 4;
   Pixel edge{0, 0};
   double most = -std::numeric_limits<double>::infinity();
   for (const Vec3d& p : shape.points)
     if (const double along = view.x(p) * way.x + view.y(p) * way.y; along > most)
       most = along, edge = {view.x(p), view.y(p)};
-  return text(edge.x + beside * way.x, edge.y + beside * way.y + half_tall, font, letter, "ink", "middle");
+  return text(edge.x + beside * way.x, edge.y + beside * way.y + half_tall, size, name, "ink", "middle");
 }
 
 }  // namespace

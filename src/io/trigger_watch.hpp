@@ -3,6 +3,7 @@
 // Guarantee: a body counts as inside a trigger from the first of its parts that is to the last.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <span>
 #include <utility>
@@ -13,6 +14,7 @@
 
 namespace graze::io {
 
+/// What is inside each trigger, from the events of a world's updates.
 class TriggerWatch {
  public:
   /// Records that a body of the simulation is a trigger: the collider of that index in the scene.
@@ -22,24 +24,26 @@ class TriggerWatch {
   /// body of index i is a part.
   void note(std::span<const ContactEvent> events, std::span<const std::uint32_t> body_of, double time,
             std::vector<TriggerEvent>& out) {
+    std::map<Meeting, std::ptrdiff_t> change;  // of the number of parts inside: one may come as another leaves
     for (const ContactEvent& event : events) {
       if (!event.trigger || event.kind == EventKind::stay) continue;
-      const bool begins = event.kind == EventKind::begin;
-      for (const auto& [own, other] : {std::pair(event.a, event.b), std::pair(event.b, event.a)}) {
-        const auto trigger = collider_of_.find(own.index);
-        if (trigger == collider_of_.end()) continue;
-        const TriggerEvent found{time, begins, trigger->second, body_of[other.index]};
-        std::size_t& inside = inside_[{found.trigger, found.body}];
-        if (inside == (begins ? 0u : 1u)) out.push_back(found);
-        begins ? ++inside : --inside;
-      }
+      for (const auto& [own, other] : {std::pair(event.a, event.b), std::pair(event.b, event.a)})
+        if (const auto trigger = collider_of_.find(own.index); trigger != collider_of_.end())
+          change[{trigger->second, body_of[other.index]}] += event.kind == EventKind::begin ? 1 : -1;
+    }
+    for (const auto& [meeting, parts] : change) {
+      std::ptrdiff_t& inside = inside_[meeting];
+      const bool was = inside > 0;
+      inside += parts;
+      if (was != (inside > 0)) out.push_back({time, !was, meeting.first, meeting.second});
     }
   }
 
  private:
+  using Meeting = std::pair<std::uint32_t, std::uint32_t>;  ///< of a trigger's collider and a body of the scene
+
   std::map<std::uint32_t, std::uint32_t> collider_of_;  ///< by the simulation's index of a trigger
-  /// The number of parts of a body that are inside, by trigger and body.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> inside_;
+  std::map<Meeting, std::ptrdiff_t> inside_;            ///< the number of the body's parts that are inside
 };
 
 }  // namespace graze::io

@@ -232,7 +232,7 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
     return static_cast<T>(distance);
   }
 
-  const SeparatingAxis& axis = reference_axis(axes, noise, smaller_size(side_a, side_b));
+  const SeparatingAxis& axis = reference_axis(axes, smaller_size(side_a, side_b));
   const MeetingFaces faces{axis.normal,
                            pair.face_a(side_a, axis.normal),
                            pair.face_b(side_b, axis.normal),

@@ -255,7 +255,7 @@ bool explain_reference_axis(const Shape<T>& a, const Pose<T>& pose_a, const Shap
   const SeparatingAxis& best = axes.best(noise);
   if (answer.points.empty()) return best.separation - radius_of(a) - radius_of(b) > static_cast<double>(margin);
   const double smaller = least(Side<T>(a, Posed{}).size(), Side<T>(b, Posed{}).size());
-  const SeparatingAxis& axis = reference_axis(axes, noise, smaller);
+  const SeparatingAxis& axis = reference_axis(axes, smaller);
   // The answer's normal is rounded to T; the axis of two nearly parallel edges differs by more.
   const Vec3d normal = rotate(frame.rotation, axis.normal);
   if (length(normal - converted<double>(answer.normal)) >

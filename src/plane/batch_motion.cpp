@@ -1,5 +1,5 @@
-// Casts of many moving pairs, and the points of one shape nearest to many, one by one in chunks for threads. To ask
-// pairs of the same kinds behind each other costs more in memory out of order than foreseen branches save.
+// Casts of many moving pairs, and the points of one shape nearest to many, one by one in chunks for threads. Pairs are
+// not grouped by kind: reading memory out of order costs more than predicted branches save.
 #include <algorithm>
 
 #include "plane/batch_parts.hpp"

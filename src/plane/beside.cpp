@@ -278,7 +278,7 @@ bool contacts_beside(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
   bool matters = false;
   if (!ground_a.empty() || !ground_b.empty())
     visit([&](const LeafPair<T>&) { matters = matters || !outline_a.empty() || !outline_b.empty(); });
-  if (!matters && is_convex(a) && is_convex(b)) return contacts(a, pose_a, b, pose_b, margin, manifolds);
+  if (!matters && a.convex() && b.convex()) return contacts(a, pose_a, b, pose_b, margin, manifolds);
   if (!matters) return join_contacts(a, pose_a, b, pose_b, limit, manifolds, visit_near, [] { return true; });
 
   return join_contacts(a, pose_a, b, pose_b, limit, manifolds, visit,

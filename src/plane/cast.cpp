@@ -127,7 +127,7 @@ template <class T>
 [[gnu::always_inline]] inline bool
 straight_cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
               const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::optional<CastHit<T>>& out) {
-  if (velocity_a.angular != T(0) || velocity_b.angular != T(0) || !is_convex(a) || !is_convex(b)) return false;
+  if (velocity_a.angular != T(0) || velocity_b.angular != T(0) || !a.convex() || !b.convex()) return false;
   const Pose2d at_a = at_unit(pose_a), at_b = at_unit(pose_b);
   const auto extent_a = double(extent(a)), extent_b = double(extent(b));
   if (!(discs_apart(at_b.translation - at_a.translation, extent_a, extent_b) > 0)) return false;

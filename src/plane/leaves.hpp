@@ -48,12 +48,6 @@ void for_each_leaf(const Shape<T>& shape, const Pose2<T>& pose, F&& f) {
   for_each_leaf(shape, at_unit(pose), 0, true, Everywhere{}, f);
 }
 
-/// Whether a shape is one convex piece, with nothing to be taken apart.
-template <class T>
-bool is_convex(const Shape<T>& shape) {
-  return !shape.template as<Compound<T>>() && !shape.template as<Polygon<T>>() && !shape.template as<Chain<T>>();
-}
-
 /// Whether a shape has no half-plane in it.
 template <class T>
 bool is_bounded(const Shape<T>& shape) {
@@ -120,7 +114,7 @@ template <class T, class Reach, class F>
 void for_each_pair_within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
                           const Reach& reach, F&& f) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  if (is_convex(a) && is_convex(b)) return with_convex_pair(a, pose_a, b, pose_b, reach(), f);
+  if (a.convex() && b.convex()) return with_convex_pair(a, pose_a, b, pose_b, reach(), f);
   const Pose2d at_a = at_unit(pose_a), at_b = at_unit(pose_b);
   bool bounded = true;
   for (const Shape<T>* s : {&a, &b}) bounded = bounded && is_bounded(*s);

@@ -103,7 +103,7 @@ Distance<T> convex_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Sha
 template <class T>
 [[gnu::noinline]] Distance<T> general_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
                                                const Pose2<T>& pose_b) {
-  if (is_convex(a) && is_convex(b)) return convex_distance(a, pose_a, b, pose_b);
+  if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b);
   return narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
 }
 
@@ -141,7 +141,7 @@ template <class T>
 bool all_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
                   Manifolds<T>& manifolds) {
   if (const auto known = special_contacts(a, pose_a, b, pose_b, margin, manifolds)) return *known;
-  if (!is_convex(a) || !is_convex(b)) return contacts_beside(a, pose_a, b, pose_b, margin, manifolds, {}, {});
+  if (!a.convex() || !b.convex()) return contacts_beside(a, pose_a, b, pose_b, margin, manifolds, {}, {});
   bool overlaps = false;
   with_convex_pair(a, pose_a, b, pose_b, double(margin), [&](const LeafPair<T>& pair) {
     const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);

@@ -29,7 +29,7 @@ class SweptCore final : public SupportFunction<T> {
 
 template <class T>
 Vec2<T> support(const Shape<T>& shape, const Vec2<T>& direction) {
-  if (!is_convex(shape) || !is_bounded(shape)) return {};
+  if (!shape.convex() || !is_bounded(shape)) return {};
   const Core<T> core = convex_core(shape);
   const Vec2d along = converted<double>(direction);
   return converted<T>(support(core, along).point + normalized(along) * core.radius);
@@ -37,7 +37,7 @@ Vec2<T> support(const Shape<T>& shape, const Vec2<T>& direction) {
 
 template <class T>
 Shape<T> swept(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& motion) {
-  if (!is_convex(shape) || !is_bounded(shape)) throw InvalidValue("shape", "a bounded convex shape", shape.name());
+  if (!shape.convex() || !is_bounded(shape)) throw InvalidValue("shape", "a bounded convex shape", shape.name());
   const Vec2<T> local = inverse_rotate(pose.rotation, detail::checked_point(motion, "motion"));
   const Core<T> core = convex_core(shape);
   const T radius = static_cast<T>(core.radius);

@@ -305,6 +305,8 @@ TEST(CastScene, InThePlane) {
   ASSERT_EQ(cast_scene(scene, around).size(), 1u);  // on a circle of radius 3.01 about a point 1.5 before the wall
   EXPECT_THROW(cast_scene(scene, cast_of("ball", {1, 0, 1})), InvalidValue);
   EXPECT_THROW(cast_scene(scene, cast_of("ball", {}, {1, 0, 0})), InvalidValue);
+  around.about = Vec3d{2, 2.25, 1};
+  EXPECT_THROW(cast_scene(scene, around), InvalidValue);
   EXPECT_THROW(cast_scene(scene, cast_of("nobody", {1, 0, 0})), InvalidValue);
 }
 

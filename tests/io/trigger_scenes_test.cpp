@@ -62,6 +62,21 @@ TEST(TriggerScenes, FollowTheirAnimation) {
   EXPECT_TRUE(played.end("pair").asleep);
 }
 
+/// What leaves one part of a body for another between two frames has been inside all the time.
+TEST(TriggerScenes, AJumpFromPartToPartIsNoEvent) {
+  PhysicsScene scene;
+  const auto cube = scene.box(1, 1, 1);
+  const auto gate = scene.node("gate", {{"trigger", geometry_of(scene.box(0.5, 0.5, 0.5))}}, {-2, 0, 0});
+  const auto pair = scene.node("pair", {{"motion", {{"mass", 2}, {"gravityFactor", 0}}}});
+  const auto smooth = scene.material({{"dynamicFriction", 0.1}});
+  scene.put_below(pair, scene.node("left", {{"collider", geometry_of(cube)}}, {-2, 0, 0}));
+  scene.put_below(pair,
+                  scene.node("right", with({{"collider", geometry_of(cube)}}, "physicsMaterial", smooth), {2, 0, 0}));
+  scene.animate(gate, {0, 1, 1.001}, {-2, 0, 0, -2, 0, 0, 2, 0, 0});
+  const Played played(scene, 2);
+  EXPECT_EQ(told(played.scene, played.summary), (Lines{"+gate pair"}));
+}
+
 PlaneScene drawn(const std::string& bodies) {
   return load_plane_json("{\"dimension\": 2, \"bodies\": [" + bodies + "]}", "t.json");
 }

@@ -1,13 +1,16 @@
-// docs/plane.md: its first lines print how deep two boxes lie in each other.
+// docs/plane.md: its first program prints how deep two boxes lie in each other.
 #include "plane_includes.inc"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
-TEST(Pages, ThePlanesFirstLinesPrintADepth) {
-  testing::internal::CaptureStdout();
-  {
+namespace {
+#define main first_program_of_the_plane
 #include "plane_1.inc"
-  } EXPECT_EQ(testing::internal::GetCapturedStdout(), "0.10716 deep\n0.601024 deep\n");
+#undef main
+}  // namespace
+
+TEST(Pages, ThePlanesFirstProgramPrintsADepth) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(first_program_of_the_plane(), 0);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "0.10716 deep\n0.601024 deep\n");
 }

@@ -29,7 +29,8 @@ struct SimulateOptions {
   std::ostream* capture = nullptr;
 };
 
-/// A body that comes into a trigger of the scene, or leaves it.
+/// A body that comes into a trigger of the scene, or leaves it. A trigger that an animation scales keeps the size that
+/// it has at the beginning.
 struct TriggerEvent {
   double time = 0;            ///< of the frame in which it was first seen inside, or outside again
   bool begins = true;         ///< it comes in, and does not leave

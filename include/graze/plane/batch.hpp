@@ -152,8 +152,8 @@ GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distanc
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
 
-/// Sets `hits[i]` to the first contact of the i-th pair at a time in [0, duration], as `cast` gives it; none where there
-/// is no contact. `velocities_a` and `velocities_b` are those of the bodies of `batch.a()` and `batch.b()`: as many as
+/// Sets `hits[i]` to the first contact of the i-th pair at a time in [0, duration], as `cast` gives it, or to none.
+/// `velocities_a` and `velocities_b` are those of the bodies of `batch.a()` and `batch.b()`: as many as
 /// bodies, or one for all of them. Throws `InvalidValue` for numbers that do not match. With an executor, on its
 /// threads. Cost: that of the casts one by one.
 template <class T>

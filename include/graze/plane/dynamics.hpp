@@ -15,7 +15,7 @@ template <class T>
 struct Dynamics {
   /// Mass, > 0; infinite for a body that impulses do not change: it keeps its velocity, gravity included. By default
   /// the area of the shape times `density`; required for a shape without area that is neither fixed nor kinematic.
-  /// A trigger without it keeps its velocity.
+  /// A trigger without it keeps its velocity, whatever its density.
   std::optional<T> mass;
   std::optional<Vec2<T>> center_of_mass;  ///< in the body's frame; by default that of the shape
   /// Moment of inertia about the centre of mass: > 0, infinite for a body that does not turn. By default that of the

@@ -1,4 +1,5 @@
-// The choice between the best axis of a face and the best product of edges, for one pair and across lanes.
+// The choice between the best axis of a face and the best product of edges, and the normal of contacts among the faces
+// that are about as good, for one pair and across lanes.
 #pragma once
 
 #include "graze/lane_vector.hpp"
@@ -21,7 +22,7 @@ struct AxisChoice {
 
   S separation;      ///< along the better of the two
   Mask edge_best;    ///< the edges' axis is better by more than rounding
-  Mask edge_chosen;  ///< it is better by more than `face_preference`: contacts stand on it
+  Mask edge_chosen;  ///< it is better by more than `face_preference` of the smaller size: contacts stand on it
 
   /// The signed distance: zero for shapes that touch within `noise`, the rounding of a separation.
   S distance(const S& noise) const {
@@ -32,12 +33,17 @@ struct AxisChoice {
   Mask by_edge(const Mask& outside) const { return (outside & edge_best) | ((!outside) & edge_chosen); }
 };
 
+/// Whether contacts stand on the axis of edges. `smaller`: size of the smaller shape.
+template <class S>
+auto edge_chosen(const S& face, const S& edge, const S& smaller) {
+  return edge > face + S(typename LaneOf<S>::type(face_preference)) * smaller;
+}
+
 /// `noise`: rounding of a separation; `smaller`: size of the smaller shape.
 template <class S>
 AxisChoice<S> choose_axis(const S& face, const S& edge, const S& noise, const S& smaller) {
-  using T = typename LaneOf<S>::type;
-  const auto edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * smaller;
-  return {select(edge_best, edge, face), edge_best, edge_chosen};
+  const auto edge_best = edge > face + noise;
+  return {select(edge_best, edge, face), edge_best, edge_chosen(face, edge, smaller)};
 }
 
 /// The best normal of contacts seen so far: a face's, where it separates the shapes about as far as that of least

@@ -6,11 +6,10 @@
 
 namespace graze {
 
-/// A face's axis, unless that of two edges is better by `face_preference`. `noise`: rounding of a separation;
-/// `smaller`: size of the smaller shape.
-inline const SeparatingAxis& reference_axis(const SeparatingAxes& axes, double noise, double smaller) {
+/// A face's axis, unless that of two edges is better by `face_preference` of the smaller shape's size.
+inline const SeparatingAxis& reference_axis(const SeparatingAxes& axes, double smaller) {
   const SeparatingAxis& face = axes.best_face();
-  return choose_axis(face.separation, axes.edge.separation, noise, smaller).edge_chosen ? axes.edge : face;
+  return edge_chosen(face.separation, axes.edge.separation, smaller) ? axes.edge : face;
 }
 
 }  // namespace graze
