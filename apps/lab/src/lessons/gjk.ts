@@ -23,7 +23,8 @@ function namesOf(list: GjkStep[]): (p: Support) => string {
 const distinct = (points: Support[], name: (p: Support) => string): Support[] =>
   points.filter((p, i) => points.findIndex((x) => name(x) === name(p)) === i);
 
-/** The bounds of a step as a picture: the line (in space a square) through s across n, that through v, and the strip between. */
+/** The bounds of a step as a picture: the line (in space a square) through s across n, that through v, and the strip
+ *  between. */
 function drawBounds(d: Drawing, zero: Vec, n: Vec, beyond: number, lower: number, upper: number, s: Vec): void {
   const at = (t: number): Vec => add(zero, scale(n, t)), from = Math.max(0, lower);
   if (zero.length === 2) {
@@ -45,6 +46,8 @@ function drawBounds(d: Drawing, zero: Vec, n: Vec, beyond: number, lower: number
 interface Situation {
   q: Question;
   paint: (d: Drawing) => void;
+  /** Whether `paint` draws the difference; by default it does. */
+  whole?: boolean;
   origin: (d: Drawing) => void;
   /** The place at which the origin of the difference is drawn. */
   zero: Vec;
@@ -53,7 +56,7 @@ interface Situation {
 }
 
 /** Steps of the trace, whatever the dimension. */
-function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
+function walk({ q, paint, whole = true, origin, zero, more = 0 }: Situation): Step[] {
   const answer = ask(q), list = answer.trace.gjk, flat = q.dimension === 2;
   const cut = (p: Vec): Vec => p.slice(0, flat ? 2 : 3);
   const difference = (p: Support): Vec => sub(cut(p.b), cut(p.a));
@@ -87,8 +90,9 @@ function walk({ q, paint, origin, zero, more = 0 }: Situation): Step[] {
     title: "One question to the origin",
     text: "How far is the difference B ⊖ A from the origin O? That is the distance of the shapes. GJK never builds the difference. It keeps at most " +
       `${flat ? "three" : "four"} of its points, a simplex, and calls v the point of the simplex nearest to O, n the direction of length one from O to v, ` +
-      "and s the point of the difference that lies furthest against n: B's furthest point against n minus A's furthest along it.",
-    says: "The two shapes and their difference.",
+      "and s the point of the difference that lies furthest against n: B's furthest point against n minus A's furthest along it." +
+      (whole ? "" : " With so many points it is not drawn here."),
+    says: whole ? "The two shapes and their difference." : "The two shapes, without their difference, which has too many points.",
     draw(d) {
       paint(d);
       origin(d);
@@ -228,16 +232,25 @@ const armsSpace = { a: [1.5, 0, 0], b: [0, 1.2, 0] };
 /** The place in space at which the origin of the difference is drawn. */
 const homeSpace: Vec = [0.4, -2.6, 0];
 
-let sampled: { of: string; points: Vec[] } = { of: "", points: [] };
-/** Points of which the Minkowski difference of two bodies is the hull; of curved ones as finely as the library draws
- *  them. */
-function differenceOf({ a, b }: Question): Vec[] {
-  const of = JSON.stringify([a, b]);
+/** The number of differences of points above which nobody waits for their hull in a drag. */
+const mostDifferences = 2000;
+interface Difference { of: string; points: Vec[] | null }
+let sampled: Difference = { of: "", points: null };
+/** Points of which the Minkowski difference of two bodies is the hull but for their translation, of curved ones as
+ *  finely as the library draws them, and a text that names it; no points where they are too many. */
+function differenceOf({ a, b }: Question): Difference {
+  const [from, to] = [a, b!].map(({ shape, rotation }) => ({ shape, rotation })), of = JSON.stringify([from, to]);
   if (sampled.of !== of) {
-    const [from, to] = [tessellated(a), tessellated(b!)];
-    sampled = { of, points: to.flatMap((q) => from.map((p) => sub(q, p))) };
+    const [p, q] = [tessellated(from), tessellated(to)], few = p.length * q.length <= mostDifferences;
+    sampled = { of, points: few ? q.flatMap((y) => p.map((x) => sub(y, x))) : null };
   }
-  return sampled.points;
+  return sampled;
+}
+function drawDifference(d: Drawing, q: Question): void {
+  const { of, points } = differenceOf(q), [from, to] = [q.a, q.b!].map(({ translation = [0, 0, 0] }) => translation);
+  if (!points) return;
+  const translation = add(homeSpace, sub(to, from));
+  d.shape({ shape: convex(points), translation }, "made", { ghost: true, bare: true, made: `difference of ${of}` });
 }
 
 export const gjkSpace: Lesson = {
@@ -246,9 +259,9 @@ export const gjkSpace: Lesson = {
   dimension: 3, view: { center: [0.9, -0.95, 0], reach: 3.6 }, start: spaceState([1.9, 1, 0.2], quatAbout([0.3, 0.2, 1], 0.7)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", armsSpace.a), moveHandle(s, "b"), turnHandle(s, "b", armsSpace.b)],
   drag: (s, id, to) => dragBody(s, id, to, armsSpace),
-  steps: ({ q }) => walk({ q, zero: homeSpace, paint(d) {
+  steps: ({ q }) => walk({ q, zero: homeSpace, whole: differenceOf(q).points !== null, paint(d) {
     drawBodies(d, q);
-    d.shape({ shape: convex(differenceOf(q)), translation: homeSpace }, "made", { ghost: true, bare: true });
+    drawDifference(d, q);
   }, origin(d) {
     for (const axis of [[0.25, 0, 0], [0, 0.25, 0], [0, 0, 0.25]]) d.line(sub(homeSpace, axis), add(homeSpace, axis), "ink", { wide: true });
     d.text(homeSpace, "O", "ink");

@@ -15,6 +15,8 @@ export interface Look {
   dashed?: boolean;
   /** In space: without its edges. */
   bare?: boolean;
+  /** In space: all that a shape of many points is made of, as a text that names it in place of its measures. */
+  made?: string;
   wide?: boolean;
   /** Lights up with the rows of the table that have the key. */
   key?: string;

@@ -1,5 +1,6 @@
 // The plane: SVG, so that it is sharp at any size, can be printed, and its text can be selected.
 
+import { isSeen } from "./camera.ts";
 import { h, svg } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Handles } from "./handles.ts";
@@ -69,15 +70,18 @@ export class Stage2 implements Stage, Drawing {
     return this.moved ? [...this.view.center, this.view.reach] : null;
   }
   set camera(of: Vec | null) {
-    if (!of || of.length !== 3 || of[2] <= 0) return;
-    this.view = { center: of.slice(0, 2), reach: of[2] };
-    this.moved = true;
-    this.redraw();
+    if (of?.length === 3) this.see(of.slice(0, 2), of[2]);
   }
-  private cameraMoved(): void {
+  /** Moves the camera, unless nothing could be told apart there; says whether it did. */
+  private see(center: Vec, reach: number): boolean {
+    if (!isSeen(center, reach)) return false;
+    this.view = { center, reach };
     this.moved = true;
     this.redraw();
-    this.onCamera();
+    return true;
+  }
+  private moveTo(center: Vec, reach = this.view.reach): void {
+    if (this.see(center, reach)) this.onCamera();
   }
 
   light(key: string | null): void {
@@ -145,13 +149,13 @@ export class Stage2 implements Stage, Drawing {
     const group = svg("g", { class: "grid", "aria-hidden": "true" });
     const step = roundStep(2 * this.view.reach);
     const [left, top] = this.world(0, 0), [right, bottom] = this.world(...this.size);
-    for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
-      const [px] = this.pixel([x, 0]);
-      group.append(svg("line", { x1: px, x2: px, y1: 0, y2: this.size[1], class: Math.abs(x) < step / 2 ? "zero" : "" }));
+    for (const n of multiples(left, right, step)) {
+      const [px] = this.pixel([n * step, 0]);
+      group.append(svg("line", { x1: px, x2: px, y1: 0, y2: this.size[1], class: n === 0 ? "zero" : "" }));
     }
-    for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
-      const [, py] = this.pixel([0, y]);
-      group.append(svg("line", { x1: 0, x2: this.size[0], y1: py, y2: py, class: Math.abs(y) < step / 2 ? "zero" : "" }));
+    for (const n of multiples(bottom, top, step)) {
+      const [, py] = this.pixel([0, n * step]);
+      group.append(svg("line", { x1: 0, x2: this.size[0], y1: py, y2: py, class: n === 0 ? "zero" : "" }));
     }
     group.append(...scaleBar(step, step * this.unitPixels(), this.size[1] - 14));
     return group;
@@ -212,11 +216,11 @@ export class Stage2 implements Stage, Drawing {
   private moveCamera(event: KeyboardEvent): void {
     const pushes: Record<string, Vec> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
     const push = pushes[event.key];
-    if (push) this.view.center = add(this.view.center, scale(push, this.view.reach));
-    else if (event.key === "+" || event.key === "-") this.view.reach *= event.key === "+" ? 0.9 : 1.1;
+    const { center, reach } = this.view;
+    if (push) this.moveTo(add(center, scale(push, reach)));
+    else if (event.key === "+" || event.key === "-") this.moveTo(center, reach * (event.key === "+" ? 0.9 : 1.1));
     else return;
     event.preventDefault();
-    this.cameraMoved();
   }
   private panAndZoom(): void {
     const pointers = new Map<number, [number, number]>();
@@ -232,15 +236,10 @@ export class Stage2 implements Stage, Drawing {
       if (!before) return;
       const was = pointers.size === 2 ? spread() : 0;
       pointers.set(event.pointerId, [event.clientX, event.clientY]);
-      if (pointers.size === 2) this.view.reach *= was / Math.max(1, spread());
-      else if (event.pointerType === "mouse" || pointers.size === 1) {
-        const s = this.unitPixels();
-        this.view.center = [
-          this.view.center[0] - (event.clientX - before[0]) / s,
-          this.view.center[1] + (event.clientY - before[1]) / s,
-        ];
-      }
-      this.cameraMoved();
+      const { center: [x, y], reach } = this.view, s = this.unitPixels();
+      if (pointers.size === 2) this.moveTo([x, y], (reach * was) / Math.max(1, spread()));
+      else if (event.pointerType === "mouse" || pointers.size === 1)
+        this.moveTo([x - (event.clientX - before[0]) / s, y + (event.clientY - before[1]) / s]);
     });
     const end = (event: PointerEvent): void => void pointers.delete(event.pointerId);
     for (const name of ["pointerup", "pointercancel", "pointerleave"])
@@ -248,10 +247,18 @@ export class Stage2 implements Stage, Drawing {
     this.element.addEventListener("wheel", (event) => {
       if (!event.ctrlKey && !event.shiftKey) return; // the page scrolls
       event.preventDefault();
-      this.view.reach *= Math.exp(event.deltaY / 500);
-      this.cameraMoved();
+      this.moveTo(this.view.center, this.view.reach * Math.exp(event.deltaY / 500));
     }, { passive: false });
   }
+}
+
+/** The most lines of a grid to one side: several times as many as a picture shows of round steps. */
+const mostLines = 100;
+/** The whole numbers whose multiples of `step` lie between two places. They are counted, as where a step is less than
+ *  the rounding of a place, adding it leads nowhere. */
+function multiples(from: number, to: number, step: number): number[] {
+  const first = Math.ceil(from / step), count = Math.min(mostLines, Math.floor(to / step) - first + 1);
+  return Array.from({ length: count > 0 ? count : 0 }, (_, i) => first + i);
 }
 
 /** The hatches of A to the left and of B to the right, so that nobody depends on colours. */

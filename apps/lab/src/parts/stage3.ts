@@ -6,6 +6,7 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { Axes } from "./axes.ts";
+import { isSeen } from "./camera.ts";
 import { h } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Crowd } from "./crowd.ts";
@@ -144,9 +145,11 @@ export class Stage3 implements Stage, Drawing {
     return this.moved ? [...this.eye.position.toArray(), ...this.controls.target.toArray()] : null;
   }
   set camera(of: Vec | null) {
-    if (!of || of.length !== 6) return;
-    this.eye.position.set(of[0], of[1], of[2]);
-    this.controls.target.set(of[3], of[4], of[5]);
+    if (of?.length !== 6) return;
+    const eye = of.slice(0, 3), target = of.slice(3);
+    if (!isSeen(of, length(sub(eye, target)))) return;
+    this.eye.position.copy(v3(eye));
+    this.controls.target.copy(v3(target));
     this.controls.update();
     this.moved = true;
     this.request();
@@ -190,8 +193,7 @@ export class Stage3 implements Stage, Drawing {
     const group = new THREE.Group();
     if (body.translation) group.position.set(...(body.translation as [number, number, number]));
     if (Array.isArray(body.rotation)) group.quaternion.set(...(body.rotation as [number, number, number, number])).normalize();
-    const key = JSON.stringify(body.shape);
-    const { faces, edges } = this.solid(key, body);
+    const { faces, edges } = this.solid(look?.made ?? JSON.stringify(body.shape), body);
     const lit = look?.key !== undefined && look.key === this.lit;
     const usual = look?.ghost && !lit ? 0.12 : look?.wide ? 1 : body.shape.type === "plane" ? 0.25 : 0.55;
     const opacity = lit ? Math.min(1, usual + 0.2) : usual;
@@ -348,7 +350,8 @@ export class Stage3 implements Stage, Drawing {
     const zero = new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(
       [corner.clone().negate(), corner, new THREE.Vector3(0, 0, -half), new THREE.Vector3(0, 0, half)]));
     for (const [lines, meaning] of [[grid, "grid"], [zero, "line"]] as const) {
-      // Lines through bodies that cross the ground would look like edges: they are drawn first, and all else hides them.
+      // Lines through bodies that cross the ground would look like edges: they are drawn first, and all else hides
+      // them.
       lines.material = this.paints.of("grid", { color: color(meaning) },
         (looks) => new THREE.LineBasicMaterial({ ...looks, depthTest: false, depthWrite: false }));
       lines.renderOrder = meaning === "grid" ? -2 : -1;
