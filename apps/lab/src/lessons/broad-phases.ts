@@ -3,7 +3,7 @@ import { drawBounds } from "../parts/answers.ts";
 import { digits } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { box, type State, type Vec } from "../question.ts";
-import { dragTo, type Lesson, type Step } from "./lesson.ts";
+import { dragTo, numberOf, type Lesson, type Step } from "./lesson.ts";
 import { broadPhasePrograms } from "./programs.ts";
 
 const kinds = ["dynamicTree", "sortAndSweep", "sweepAndPrune", "hashedGrid", "looseOctree", "bsp"] as const;
@@ -133,7 +133,7 @@ const situation = (scene: string, kind: Kind = "dynamicTree", at: Vec = [-0.9, 1
   q: { query: "overlap", a: { shape: box(1, 1, 1) }, b: { shape: box(1, 1, 1) } }, choice: { kind, scene, x: at[0], y: at[1], z: at[2] } });
 /** The box of the query. */
 const asking = (state: State): { at: Vec; lower: Vec; upper: Vec } => {
-  const at = ["x", "y", "z"].map((k) => Number(state.choice?.[k] ?? 0));
+  const at = ["x", "y", "z"].map((k) => numberOf(state, k, 0));
   return { at, lower: at.map((x) => x - 0.75), upper: at.map((x) => x + 0.75) };
 };
 const chosen = (state: State): { kind: Kind; scene: string } => ({

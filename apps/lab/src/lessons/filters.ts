@@ -1,5 +1,5 @@
 import { graze, shapeOf } from "../graze.ts";
-import { dragTo, type Lesson, type Step } from "./lesson.ts";
+import { dragTo, numberOf, type Lesson, type Step } from "./lesson.ts";
 import { filterPrograms } from "./programs.ts";
 import { sphere, type State, type Vec } from "../question.ts";
 
@@ -20,7 +20,7 @@ function situation(filters: Bits[] = usual, at: Vec[] = places): State {
 }
 const bitsOf = (s: State, i: number): Bits => ({
   category: Number(s.choice?.[`c${i}`] ?? 1) >>> 0, mask: Number(s.choice?.[`m${i}`] ?? 15) >>> 0, group: Number(s.choice?.[`g${i}`] ?? 0) | 0 });
-const placeOf = (s: State, i: number): Vec => [Number(s.choice?.[`x${i}`] ?? 0), Number(s.choice?.[`y${i}`] ?? 0), 0];
+const placeOf = (s: State, i: number): Vec => [numberOf(s, `x${i}`, 0), numberOf(s, `y${i}`, 0), 0];
 const binary = (x: number): string => x.toString(2).padStart(4, "0");
 
 /** The pairs that a world of the library reports. */

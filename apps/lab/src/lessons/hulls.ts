@@ -3,7 +3,7 @@ import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Look, Meaning } from "../parts/drawing.ts";
 import { add, scale, sub, unit } from "../parts/vec.ts";
 import { convex, plane, type Question, type State, type Vec } from "../question.ts";
-import type { Lesson, Step } from "./lesson.ts";
+import { numberOf, type Lesson, type Step } from "./lesson.ts";
 import { supportPrograms } from "./programs.ts";
 
 /** `count` points on an ellipsoid in a golden spiral: all of them are vertices of their hull. */
@@ -53,7 +53,7 @@ const situation = (count: number, form: string, direction: Vec): State => ({
 });
 const chosen = (state: State): { count: number; form: string; u: Vec } => {
   const c = state.choice ?? {}, count = Number(c.count), form = String(c.form);
-  return { count: counts.includes(count) ? count : 1000, form: shapes[form] ? form : "egg", u: unit([Number(c.x ?? 1), Number(c.y ?? 0), Number(c.z ?? 0)]) };
+  return { count: counts.includes(count) ? count : 1000, form: Object.hasOwn(shapes, form) ? form : "egg", u: unit(["x", "y", "z"].map((k, i) => numberOf(state, k, i === 0 ? 1 : 0))) };
 };
 
 export const hulls: Lesson = {

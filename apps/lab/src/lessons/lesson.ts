@@ -172,4 +172,9 @@ export function radiusWorked(name: string, body: Body, n: Vec, radius: number): 
   });
   return `${name} = ${parts.join(" + ")} = ${digits(radius, 5)}`;
 }
+/** A number among a state's choices; `usual` where an address has something else there. */
+export function numberOf({ choice }: State, key: string, usual: number): number {
+  const value = choice?.[key];
+  return typeof value === "number" && Number.isFinite(value) ? value : usual;
+}
 export const dragTo = (x: number): number => Number(x.toPrecision(12));

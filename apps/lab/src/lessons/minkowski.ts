@@ -6,7 +6,7 @@ import { row } from "../parts/math.ts";
 import { corners } from "../parts/outline.ts";
 import { add, dot, length, mix, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, copy, type Body, type Question, type State, type Vec } from "../question.ts";
-import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { dragBody, drawBodies, moveHandle, turnHandle, numberOf, type Lesson, type Step } from "./lesson.ts";
 
 /** The place at which the origin of the difference is drawn, so that it lies beside the shapes. */
 const home: Vec = [1, -4.6];
@@ -50,10 +50,12 @@ function nearestOn(outline: Vec[], to: Vec): number {
 }
 /** The point at a place of the outline, made of a part of A and one of B. */
 function pointAt(corners: Support[], at: number): Support {
-  const k = Math.floor(at) % corners.length, next = corners[(k + 1) % corners.length];
+  const n = corners.length, k = ((Math.floor(at) % n) + n) % n, next = corners[(k + 1) % corners.length];
   return { a: mix(corners[k].a, next.a, at - Math.floor(at)), b: mix(corners[k].b, next.b, at - Math.floor(at)) };
 }
-const slideOf = (state: State): number => Number(state.choice?.slide ?? 0.4);
+/** The direction of the support step. */
+const directionOf = (state: State): Vec => unit([numberOf(state, "x", 1), numberOf(state, "y", 0)]);
+const slideOf = (state: State): number => numberOf(state, "slide", 0.4);
 
 export function drawOrigin(d: Drawing, at: Vec = home): void {
   d.line(add(at, [-0.18, 0]), add(at, [0.18, 0]), "ink", { wide: true });
@@ -105,11 +107,11 @@ export const minkowski: Lesson = {
   start: situation([2.9, 0.9], 0.5),
   choices: [{ key: "what", label: "Show", options: [{ value: "difference", label: "difference B ⊖ A" }, { value: "sum", label: "sum A ⊕ B" }] }],
   handles(s): Handle[] {
-    const c = s.choice ?? {}, outline = ask(asked(s)).trace.difference ?? [];
+    const outline = ask(asked(s)).trace.difference ?? [];
     return [
       ...(outline.length > 0 ? [{ id: "slide", label: "Slide B round A", kind: "move" as const, meaning: "made" as const, named: true, at: place(pointAt(outline, slideOf(s))) }] : []),
       moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b),
-      { id: "direction", label: "Turn the direction", kind: "turn", meaning: "axis", named: true, at: add(home, scale(unit([Number(c.x), Number(c.y)]), 2.3)) },
+      { id: "direction", label: "Turn the direction", kind: "turn", meaning: "axis", named: true, at: add(home, scale(directionOf(s), 2.3)) },
     ];
   },
   drag(s, id, to) {
@@ -172,7 +174,7 @@ export const minkowski: Lesson = {
         },
       });
     });
-    const u = unit([Number(state.choice?.x ?? 1), Number(state.choice?.y ?? 0)]);
+    const u = directionOf(state);
     const a = support(state.q.a, sum ? u : scale(u, -1)), b = support(state.q.b!, u);
     const made = sum ? add(a, b) : sub(b, a);
     steps.push({

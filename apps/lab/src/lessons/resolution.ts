@@ -4,7 +4,7 @@ import type { Drawing, Handle } from "../parts/drawing.ts";
 import { row, term } from "../parts/math.ts";
 import { add, cross, length, scale, sub, unit } from "../parts/vec.ts";
 import { box, sphere, withBody, type Body, type Question, type Shape, type State, type Vec } from "../question.ts";
-import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { dragBody, drawBodies, moveHandle, turnHandle, numberOf, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [1.2, 0, 0], b: [1.3, 0, 0] };
 const situation = (va: Vec, vb: Vec, mass = 1, b: Shape = box(1.2, 1.2, 1.2), at: Vec = [1.25, 0.35, 0], extra: Record<string, number> = {}): State => ({
@@ -20,8 +20,8 @@ function response(state: State): Question {
   const near = ask({ query: "distance", ...still });
   const pa = near.a as unknown as Vec, pb = near.b as unknown as Vec;
   return {
-    query: "response", restitution: Number(state.choice?.restitution ?? 0), friction: Number(state.choice?.friction ?? 0.6),
-    a: { ...a, mass: 1 }, b: { ...b!, mass: Number(state.choice?.mass ?? 1) },
+    query: "response", restitution: numberOf(state, "restitution", 0), friction: numberOf(state, "friction", 0.6),
+    a: { ...a, mass: 1 }, b: { ...b!, mass: numberOf(state, "mass", 1) },
     contact: { point: scale(add(pa, pb), 0.5), normal: near.normal! },
   };
 }

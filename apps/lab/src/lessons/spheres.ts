@@ -5,7 +5,7 @@ import type { Drawing, Handle } from "../parts/drawing.ts";
 import { add, dot, length, mix, scale, sub, unit } from "../parts/vec.ts";
 import { outlines } from "../parts/outline.ts";
 import { circle, radiusOf, sphere, withBody, type Body, type Question, type State, type Vec } from "../question.ts";
-import { dragBody, drawBodies, moveHandle, type Lesson, type Step, type Which } from "./lesson.ts";
+import { dragBody, drawBodies, moveHandle, numberOf, type Lesson, type Step, type Which } from "./lesson.ts";
 
 const situation = (ra: number, rb: number, b: Vec): State => ({
   q: { query: "contacts", dimension: 2, a: { shape: circle(ra), translation: [0, 0] }, b: { shape: circle(rb), translation: b } },
@@ -17,7 +17,7 @@ const sizer = (q: Question, which: Which): Handle => {
 
 const inSpace = (s: State): boolean => s.choice?.view === "space";
 /** The distance of a centre before the plane of the screen, which balls moved in space have. */
-const depthOf = (s: State, which: Which): number => Number(s.choice?.[`${which}z`] ?? 0);
+const depthOf = (s: State, which: Which): number => numberOf(s, `${which}z`, 0);
 /** The balls in space; or the circles in which a plane cuts them that holds both centres and the vertical: as far from
  *  each other as the balls are, whatever their depths. */
 function present(s: State): Question {

@@ -1,7 +1,7 @@
 import { graze } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import { box, plane, type Body, type State, type Vec } from "../question.ts";
-import { dragTo, later, type Lesson, type Step } from "./lesson.ts";
+import { dragTo, later, numberOf, type Lesson, type Step } from "./lesson.ts";
 import { stackPrograms, type Stack } from "./programs.ts";
 
 const boxes = 10, rate = 60, every = 6, frames = 10;
@@ -14,7 +14,7 @@ const size: Vec = [1, 1, 1];
  *  bears much, more only where bodies stand high on each other. */
 const efforts = ["1", "2", "4", "8", "16", "auto"] as const;
 type Effort = (typeof efforts)[number];
-const masses = [1, 10, 100, 1000];
+const masses = [1, 10, 100, 1000], frictions = [0.6, 0];
 const named: Record<Effort, string> = { 1: "1", 2: "2", 4: "4", 8: "8", 16: "16", auto: "4 and more, by load" };
 /** Everything that is simulated. */
 const stackOf = ({ effort, mass, friction, top }: Setup): Stack =>
@@ -35,28 +35,31 @@ function run(setup: Setup): Frame[] {
   const settings: graze.SimulationSettings = subSteps === null ? { sleep: false } : { sleep: false, subSteps, mostSubSteps: subSteps };
   const simulation = new graze.Simulation(settings), shape = new graze.Box(size), floor = new graze.HalfSpace();
   const material = { staticFriction: friction, dynamicFriction: friction };
-  simulation.add({ shape: floor, fixed: true }, {}, material);
-  const ids = startOf(setup).map(({ translation }, i) =>
-    simulation.add({ shape, translation }, { mass: i === boxes - 1 ? mass : 1 }, material));
-  const poses = (): Frame["poses"] => ids.map((id) => simulation.pose(id));
   const made: Frame[] = [];
-  for (let i = 1; i <= frames * every; i++) {
-    simulation.step(1 / rate);
-    if (i % every !== 0) continue;
-    const { deepest, meanDepth, residual, contacts, mostSubSteps } = simulation.report();
-    made.push({ poses: poses(), deepest, mean: meanDepth, residual, contacts, subSteps: mostSubSteps });
+  try {
+    simulation.add({ shape: floor, fixed: true }, {}, material);
+    const ids = startOf(setup).map(({ translation }, i) =>
+      simulation.add({ shape, translation }, { mass: i === boxes - 1 ? mass : 1 }, material));
+    for (let i = 1; i <= frames * every; i++) {
+      simulation.step(1 / rate);
+      if (i % every !== 0) continue;
+      const { deepest, meanDepth, residual, contacts, mostSubSteps } = simulation.report();
+      const poses = ids.map((id) => simulation.pose(id));
+      made.push({ poses, deepest, mean: meanDepth, residual, contacts, subSteps: mostSubSteps });
+    }
+  } finally {
+    for (const handle of [simulation, shape, floor]) handle.dispose();
   }
-  for (const handle of [simulation, shape, floor]) handle.dispose();
   kept.set(key, made);
   return made;
 }
-const situation = (effort: Effort, mass: number, friction = 0.6, [x, y, z] = usualTop): State => ({
+const situation = (effort: Effort, mass: number, friction = frictions[0], [x, y, z] = usualTop): State => ({
   q: { query: "contacts", a: { shape: plane() }, b: { shape: box(...size), translation: [0.04, 0.5, 0] }, margin: 0.05 }, choice: { effort, mass, friction, x, y, z } });
 const chosen = (state: State): Setup => ({
   effort: efforts.find((e) => e === state.choice?.effort) ?? "auto",
   mass: masses.find((m) => m === state.choice?.mass) ?? 1,
-  friction: Number(state.choice?.friction ?? 0.6),
-  top: ["x", "y", "z"].map((k, i) => Number(state.choice?.[k] ?? usualTop[i])),
+  friction: frictions.find((f) => f === state.choice?.friction) ?? frictions[0],
+  top: ["x", "y", "z"].map((k, i) => numberOf(state, k, usualTop[i])),
 });
 const top = (poses: Frame["poses"]): Vec => poses[boxes - 1].translation;
 /** The way of a place from another along X, Y and Z. */
@@ -69,7 +72,7 @@ export const stack: Lesson = {
   choices: [
     { key: "effort", label: "Sub-steps", options: [{ value: "auto", label: "as needed" }, ...efforts.slice(0, 5).map((value) => ({ value, label: value }))] },
     { key: "mass", label: "Mass of the top box", options: masses.map((value) => ({ value, label: `${value} kg` })) },
-    { key: "friction", label: "Friction", options: [{ value: 0.6, label: "0.6" }, { value: 0, label: "none" }] },
+    { key: "friction", label: "Friction", options: frictions.map((value) => ({ value, label: value === 0 ? "none" : String(value) })) },
   ],
   handles: (s) => [{ id: "top", label: "Put the top box elsewhere", kind: "move", meaning: "b", named: true, at: chosen(s).top }],
   drag: (s, _id, [x, y, z]) => ({ ...s, choice: { ...s.choice, x: dragTo(x), y: dragTo(Math.max(usualTop[1], y)), z: dragTo(z) } }),

@@ -1,7 +1,7 @@
 // Addresses that nobody would write who means well: the page shows what it can, and stays as quick as ever.
 
 import assert from "node:assert/strict";
-import { drag, frame, shown, small, test, visit } from "./harness.mjs";
+import { drag, frame, goTo, numbers, shown, small, test, visit } from "./harness.mjs";
 
 const asValues = (values) => `?${new URLSearchParams(Object.entries(values).map(([key, value]) => [key, typeof value === "string" ? value : JSON.stringify(value)]))}`;
 
@@ -62,4 +62,29 @@ test("hostile addresses: the difference of two ellipsoids is left out, and a mov
     assert.deepEqual(p.trouble, []);
     await p.context().close();
   }
+});
+
+test("hostile addresses: choices that are no numbers are the usual ones", async () => {
+  const bad = { text: "abc", none: null, list: [1, 2], flag: true };
+  const hostile = {
+    stack: { effort: "9", mass: bad.text, friction: bad.text, x: bad.text, y: bad.list, z: bad.flag },
+    "broad-phases": { kind: "none", x: bad.text, y: bad.none, z: bad.list },
+    filters: { x0: bad.text, y0: bad.none, x1: bad.list },
+    hulls: { count: bad.text, form: "constructor", x: bad.text, y: bad.none, z: bad.list },
+    minkowski: { what: "nothing", x: bad.text, y: bad.list, slide: bad.text },
+    resolution: { restitution: bad.text, friction: bad.list, mass: bad.text },
+    spheres: { az: bad.text, bz: bad.list } };
+  const page = await visit("", small);
+  for (const [id, choice] of Object.entries(hostile)) {
+    await goTo(page, `#/lesson/${id}`);
+    const { q } = (await shown(page)).state;
+    await page.evaluate((state) => window.lab.change(state, true), { q, choice });
+    await frame(page);
+    assert.ok(!(await page.isVisible(".trouble")), `${id}: ${await page.textContent(".trouble")}`);
+    for (let i = 0; i < 2; i++) await page.click("[data-next]");
+    await page.click('button[aria-label^="Last"]');
+    assert.ok(!/NaN|undefined/.test((await numbers(page)) + (await page.textContent(".words")) + (await page.textContent(".code"))), id);
+    assert.deepEqual(page.trouble, [], id);
+  }
+  await page.context().close();
 });
