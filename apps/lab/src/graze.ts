@@ -79,6 +79,13 @@ export function ask(question: Question): Answer {
   return answer;
 }
 
+/** The library's answer with its trace; throws what it says where there is none. */
+export function answered(question: Question): Answer {
+  const answer = ask(question);
+  if (answer.error) throw new Error(answer.error);
+  return answer;
+}
+
 // --- Objects of the library that the protocol cannot express: worlds, broad phases, simulations ---
 
 /** The library's shape of a protocol's shape. */

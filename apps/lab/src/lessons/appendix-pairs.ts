@@ -17,8 +17,8 @@ export interface Pair {
   text: string;
   /** The formulas with letters. */
   formula: string[];
-  /** The formulas with numbers. */
-  worked(q: Question, answer: Answer): string[];
+  /** The formulas with numbers, where the question that the bodies make is all that it takes. */
+  worked?(q: Question, answer: Answer): string[];
   /** The answer where it takes more than the question that the bodies make. */
   solve?(q: Question): Solved;
 }
@@ -48,7 +48,8 @@ function weight(corners: Vec[], i: number, x: Vec): number {
   const [b, c] = [corners[(i + 1) % 3], corners[(i + 2) % 3]], side = planeAcross(b, cross(sub(c, b), normal(corners)));
   return before(side, x) / before(side, corners[i]);
 }
-/** The numbers of the formula t = (w − n·o) / n·u; without a result where nothing is hit, or something from the start. */
+/** The numbers of the formula t = (w − n·o) / n·u; without a result where nothing is hit, or something from the
+ *  start. */
 export const meets = (n: Vec, w: number, o: Vec, u: Vec, t = 0): string =>
   `t = frac(${digits(w, 4)} - ${term(along(n, o))}, ${digits(along(n, u), 4)})${t === 0 ? "" : ` = ${digits(t, 5)}`}`;
 

@@ -1,4 +1,4 @@
-import { ask, type graze, type Span } from "../graze.ts";
+import { answered, type graze, type Span } from "../graze.ts";
 import { drawDistance, drawRay, endOf } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Handle } from "../parts/drawing.ts";
@@ -76,8 +76,7 @@ export const appendix: Lesson = {
         },
       }];
     }
-    const answer = ask(q);
-    if (answer.error) throw new Error(answer.error);
+    const answer = answered(q), worked = pair.worked?.(q, answer) ?? [];
     const missed = answer.hit === false, spans = answer.trace.spans ?? [];
     const rows = q.query === "raycast"
       ? missed ? [{ cells: ["hit", "no"] }] : [{ cells: ["t", answer.t!], mark: "winner" as const }, { cells: ["point", vector(answer.point, 4)], key: "b" }, { cells: ["normal", vector(answer.normal, 4)] }]
@@ -85,7 +84,7 @@ export const appendix: Lesson = {
         ...(answer.point ? [{ cells: ["nearest", vector(answer.point, 4)], key: "b" }]
           : [{ cells: ["on A", vector(answer.a as unknown as Vec, 4)], key: "a" }, { cells: ["on B", vector(answer.b as unknown as Vec, 4)], key: "b" }])];
     const steps: Step[] = [
-      { title, text: pair.text, formula: [...pair.formula, ...pair.worked(q, answer)], says: `The pair ${pair.label}.`, draw: base },
+      { title, text: pair.text, formula: [...pair.formula, ...worked], says: `The pair ${pair.label}.`, draw: base },
     ];
     spans.forEach((s, i) => steps.push({
       title: `Part of the shape: ${s.name}`,
@@ -95,7 +94,7 @@ export const appendix: Lesson = {
     }));
     steps.push({
       title: missed ? "No hit" : "The answer",
-      formula: pair.worked(q, answer),
+      formula: worked,
       text: missed ? "No parameter of the ray lies in all spans." : `Found by ${answer.trace.method.replace(/gjk|epa/, (name) => name.toUpperCase())}.`,
       numbers: { caption: "Answer (units of length)", columns: ["quantity", "value"], rows },
       says: missed ? "The ray misses." : q.query === "raycast" ? `Hit after ${digits(answer.t, 5)}.` : `Distance ${digits(answer.distance, 5)}.`,

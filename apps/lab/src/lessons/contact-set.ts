@@ -69,8 +69,8 @@ function withoutPreference(q: State["q"], { trace, manifolds }: Answer): Step {
     },
   };
 }
-/** How far the face of a box that looks most along the normal does so: its faces come in pairs, so the sign is that of the
- *  better one. */
+/** How far the face of a box that looks most along the normal does so: its faces come in pairs, so the sign is that of
+ *  the better one. */
 function facing(axes: Axis[], n: Vec, which: "A" | "B"): string[] {
   const own = axes.filter((x) => new RegExp(`^${which}\\d$`).test(x.name)).map(({ direction }) => ({ direction, along: along(direction, n) }));
   if (own.length === 0) return [];
@@ -78,15 +78,17 @@ function facing(axes: Axis[], n: Vec, which: "A" | "B"): string[] {
   const face = scale(best.direction, best.along * outward < 0 ? -1 : 1);
   return [`k_${which} = ${outward < 0 ? "-" : ""}${row(n)} * ${row(face)} = ${digits(Math.abs(best.along), 6)}`];
 }
-/** The numbers of the first edge that a cut crosses: how far its ends are from the plane of the cut, and the new corner. */
+/** The numbers of the first edge that a cut crosses: how far its ends are from the plane of the cut, and the new
+ *  corner; none where the cut made no corner, as only rounding put an edge's ends on both sides. */
 function crossed(corners: Vec[], cut: Cut, n: Vec): string[] {
   const side = planeAcross(cut.from, cross(sub(cut.to, cut.from), n)), ahead = corners.map((p) => before(side, p));
   const size = Math.max(...corners.map((p) => length(sub(p, corners[0])))), rounding = 1e-9 * size;
-  for (const [i, from] of corners.entries()) {
+  const fresh = cut.left.filter((p) => corners.every((x) => length(sub(x, p)) > rounding));
+  for (const [i, from] of fresh.length > 0 ? corners.entries() : []) {
     const k = (i + 1) % corners.length, to = corners[k], [first, second] = [ahead[i], ahead[k]];
     if (Math.abs(first) <= rounding || Math.abs(second) <= rounding || first * second > 0) continue;
     const edge = length(sub(to, from)), off = (p: Vec): number => Math.abs(length(sub(p, from)) + length(sub(to, p)) - edge);
-    const made = cut.left.filter((p) => corners.every((x) => length(sub(x, p)) > rounding)).reduce((best, p) => (off(p) < off(best) ? p : best));
+    const made = fresh.reduce((best, p) => (off(p) < off(best) ? p : best));
     return [`t = frac(${digits(first, 4)}, ${digits(first, 4)} - ${term(second)}) = ${digits(length(sub(made, from)) / edge, 5)}`, `p = ${row(made)}`];
   }
   return ['"no edge is crossed"'];

@@ -110,8 +110,8 @@ const spaceState = (translation: Vec, rotation: Vec): State => ({
 
 const at = (p: Support): Vec => add(homeSpace, sub(p.b, p.a));
 /** The number of corners with which the polytope began: the trace lists them in the order in which they came, one for
- *  each step after those, but for a last step that found a corner which was there. Nothing when they do not reach as far
- *  as the steps say. */
+ *  each step after those, but for a last step that found a corner which was there. Nothing when they do not reach as
+ *  far as the steps say. */
 function beginning({ epa, polytope }: Trace): number | null {
   const points = polytope?.points ?? [];
   const fits = (s: EpaStep, p: Support): boolean => Math.abs(dot(sub(p.b, p.a), scale(s.normal, -1)) - s.foundDepth) <= 1e-9 * Math.max(s.foundDepth, s.faceDepth);

@@ -1,6 +1,6 @@
 // A lesson: data, and for each step a drawing. CONTRIBUTING.md explains how to add one.
 
-import { ask } from "../graze.ts";
+import { answered } from "../graze.ts";
 import type { Bits, Choice } from "../parts/choices.ts";
 import type { Programs } from "../parts/code.ts";
 import { digits } from "../parts/dom.ts";
@@ -162,7 +162,7 @@ export function drawContacts(drawing: Drawing, manifolds: DrawnManifold[]): void
 export function along(u: Vec, p: Vec): number {
   const flat = p.length === 2;
   const body: Body = { shape: { type: "plane" }, rotation: flat ? Math.atan2(-u[0], u[1]) : quatBetween([0, 1, 0], u) };
-  return ask({ query: "closest", ...(flat ? { dimension: 2 as const } : {}), a: body, point: p }).distance!;
+  return answered({ query: "closest", ...(flat ? { dimension: 2 as const } : {}), a: body, point: p }).distance!;
 }
 /** The numbers of the formula r = h·|n·e| + ... for the half shadow of a box on an axis. */
 export function radiusWorked(name: string, body: Body, n: Vec, radius: number): string {

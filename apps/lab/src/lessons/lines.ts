@@ -1,11 +1,13 @@
 // Lines and planes without an end. The library has segments, rays and half-spaces: a line is asked as two rays, its
-// nearest point by the plane across it, and a plane as the half-space whose outside one stands on.
+// nearest point by the plane across it, and a plane as the half-space whose outside one stands on. It has no question
+// for whether two lines or planes are parallel: that is decided here.
 
-import { ask } from "../graze.ts";
+import { answered } from "../graze.ts";
 import { add, cross, length, quatBetween, rotate, scale, unit } from "../parts/vec.ts";
 import { convex, plane, type Body, type Question, type Vec } from "../question.ts";
 
-/** The sine of the angle below which directions are parallel: the digits of their product are then rounding. */
+/** The sine of the angle below which directions are called parallel, a tolerance of the lab's own: most digits of
+ *  their product are then rounding. */
 const parallel = 1e-9;
 /** The product of two directions, made a unit; null where they are parallel. */
 export function across(u: Vec, v: Vec): Vec | null {
@@ -17,9 +19,9 @@ export const planeAcross = (p: Vec, n: Vec): Body => ({ shape: plane(), translat
 export const normalOf = (body: Body): Vec => rotate(body.rotation, [0, 1, 0]);
 export const asksBefore = (body: Body, x: Vec): Question => ({ query: "closest", a: body, point: x });
 /** The signed distance of a point before a plane. */
-export const before = (body: Body, x: Vec): number => ask(asksBefore(body, x)).distance!;
+export const before = (body: Body, x: Vec): number => answered(asksBefore(body, x)).distance!;
 /** The distance of two points. */
-export const between = (p: Vec, q: Vec): number => ask({ query: "closest", a: { shape: convex([p]) }, point: q }).distance!;
+export const between = (p: Vec, q: Vec): number => answered({ query: "closest", a: { shape: convex([p]) }, point: q }).distance!;
 
 /** The point of the line through p along u that is nearest to x, and its place on the line, from p in units of
  *  length. */
@@ -32,8 +34,7 @@ export interface Meeting { t: number; point: Vec; question: Question }
 /** The first of two rays, along u and against it, that meets a body; null where neither does. */
 export function alongLine(body: Body, p: Vec, u: Vec): Meeting | null {
   for (const sign of [1, -1]) {
-    const question: Question = { query: "raycast", a: body, ray: { origin: p, direction: scale(u, sign) } }, answer = ask(question);
-    if (answer.error) throw new Error(answer.error);
+    const question: Question = { query: "raycast", a: body, ray: { origin: p, direction: scale(u, sign) } }, answer = answered(question);
     if (answer.hit) return { t: sign * answer.t!, point: answer.point!, question };
   }
   return null;

@@ -18,7 +18,8 @@ function beyondCorner(p: Vec, others: Vec[], far: number): Vec[] {
   return [p, add(p, scale(rims[0], far)), add(p, scale(add(rims[0], middle), far)), add(p, scale(add(rims[1], middle), far)), add(p, scale(rims[1], far))];
 }
 
-/** The region of `feature`, a part of the corners of a point, an edge or a triangle, as a polygon that reaches `far`. */
+/** The region of `feature`, a part of the corners of a point, an edge or a triangle, as a polygon that reaches
+ *  `far`. */
 export function region(corners: Vec[], feature: Vec[], far: number): Vec[] {
   const others = corners.filter((p) => !feature.includes(p)), [p, q] = feature;
   if (feature.length === 1) return others.length > 0 ? beyondCorner(p, others, far) : [];

@@ -1,4 +1,4 @@
-import { ask } from "../graze.ts";
+import { answered, ask } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
 import { row, term } from "../parts/math.ts";
@@ -47,8 +47,7 @@ export const resolution: Lesson = {
   drag: (s, id, to) => id.startsWith("velocity") ? withBody(s, id.slice(-1) as "a" | "b", (body) => { body.linear = sub(to, body.translation!); }) : dragBody(s, id, to, arms),
   asks: response,
   steps(state) {
-    const q = response(state), answer = ask(q), t = answer.trace;
-    if (answer.error) throw new Error(answer.error);
+    const q = response(state), answer = answered(q), t = answer.trace;
     const { point, normal } = q.contact!;
     const approach = t.relativeVelocity!, friction = t.friction;
     const whole = (d: Drawing): void => {

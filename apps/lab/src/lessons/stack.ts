@@ -7,7 +7,8 @@ import { stackPrograms, type Stack } from "./programs.ts";
 const boxes = 10, rate = 60, every = 6, frames = 10;
 /** The place of the top box where nobody has dragged it. */
 const usualTop: Vec = [-0.04, 9.5, 0];
-/** The number of runs that are kept: a drag of the top box asks for hundreds, a page for as many as there are efforts. */
+/** The number of runs that are kept: a drag of the top box asks for hundreds, a page for as many as there are
+ *  efforts. */
 const most = 24;
 const size: Vec = [1, 1, 1];
 /** The numbers of sub-steps of a step, or "auto", the library's default: four, and up to sixteen where one contact

@@ -1,6 +1,6 @@
 // The pairs of the appendix with lines and planes that have no end.
 
-import { ask } from "../graze.ts";
+import { answered } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { row, term } from "../parts/math.ts";
@@ -28,7 +28,6 @@ const corners: Vec[] = [[-1, 0, -0.8], [1.4, 0, -0.6], [0.1, 0.4, 1.2]];
 const [low, high] = [segment([-1.4, 0.2, 0], [1.5, 0.6, 0.4]), segment([0.2, 1.2, -1.2], [0.6, 1.5, 1.2])];
 const leaning = { shape: plane(), translation: [0.3, 0.5, 0], rotation: quatAbout([0, 0, 1], 0.5) };
 const placeOf = (body: Question["a"]): Vec => body.translation ?? [0, 0, 0];
-const noAnswer = (): string[] => [];
 
 function pointLine(q: Question): Solved {
   const { p, u } = lineOf(q.a), x = q.point!, { t, point } = foot(p, u, x), d = between(point, x);
@@ -116,15 +115,17 @@ function lineTriangle(q: Question): Solved {
 }
 
 function planeTriangle(q: Question): Solved {
-  const points = pointsOf(q.b!.shape), heights = points.map((x) => before(q.a, x)), answer = ask(q);
+  const answer = answered(q), points = pointsOf(q.b!.shape), heights = points.map((x) => before(q.a, x));
   const cuts = points.flatMap((from, i): { edge: string; at: Meeting }[] => {
     const next = (i + 1) % 3, at = (heights[i] > 0) !== (heights[next] > 0) ? meeting(q.a, from, sub(points[next], from)) : null;
     return at ? [{ edge: `${"abc"[i]}${"abc"[next]}`, at }] : [];
   });
+  const side = heights.every((x) => x > 0) ? { title: "All corners are above the plane", text: "the distance of the lowest is that of the triangle." }
+    : { title: "No corner is above the plane", text: "the lowest of them says how far the triangle has to go along the normal to be above the plane." };
   return {
-    question: q, title: cuts.length ? "The plane cuts the triangle" : answer.distance! > 0 ? "All corners are above the plane" : "No edge crosses the plane",
+    question: q, title: cuts.length ? "The plane cuts the triangle" : side.title,
     text: cuts.length ? "Two edges have a corner on either side. Each is cut where the signed distance passes through zero, and the triangle between these two points."
-      : "All three corners are on one side, and with them the whole triangle: the nearest of them has the distance of all.",
+      : `All three corners are on one side, and with them the whole triangle: ${side.text}`,
     says: cuts.length ? `Cut from ${vector(cuts[0].at.point, 3)} to ${vector(cuts.at(-1)!.at.point, 3)}.` : `Signed distance ${digits(answer.distance, 4)}.`,
     formula: [heights.map((x, i) => `d_${"abc"[i]} = ${digits(x, 4)}`).join(", "), ...cuts.map(({ edge: [i, j], at }) => {
       const [from, to] = [i, j].map((name) => heights["abc".indexOf(name)]), start = points["abc".indexOf(i)];
@@ -140,18 +141,18 @@ function planeTriangle(q: Question): Solved {
   };
 }
 
-const closest = "The line has no ends: nothing is clamped.";
+const unclamped = "The line has no ends: nothing is clamped.";
 export const unboundedPairs: Pair[] = [
-  { value: "point-line", label: "point, line", q: { query: "closest", a: low, point: [0.4, 1.7, 0.6] }, solve: pointLine, worked: noAnswer,
-    text: `Two points give the line: p, and the direction u of length one. The scalar product with u says how far along it the point is. ${closest}`, formula: ["t = (x - p)*u", "x' = p + t u", "d = |x - x'|"] },
-  { value: "line-line", label: "line, line", q: { query: "distance", a: low, b: high }, solve: lineLine, worked: noAnswer,
-    text: `The shortest way between two lines is across both: along n, the product of their directions. ${closest}`, formula: ["n = frac(u × v, |u × v|)", "d = |(q - p)*n|"] },
-  { value: "line-plane", label: "line, plane", q: { query: "distance", a: { shape: plane() }, b: segment([-0.8, 1.3, 0.4], [0.1, 0.7, 0.1]) }, solve: linePlane, worked: noAnswer,
+  { value: "point-line", label: "point, line", q: { query: "closest", a: low, point: [0.4, 1.7, 0.6] }, solve: pointLine,
+    text: `Two points give the line: p, and the direction u of length one. The scalar product with u says how far along it the point is. ${unclamped}`, formula: ["t = (x - p)*u", "x' = p + t u", "d = |x - x'|"] },
+  { value: "line-line", label: "line, line", q: { query: "distance", a: low, b: high }, solve: lineLine,
+    text: `The shortest way between two lines is across both: along n, the product of their directions. ${unclamped}`, formula: ["n = frac(u × v, |u × v|)", "d = |(q - p)*n|"] },
+  { value: "line-plane", label: "line, plane", q: { query: "distance", a: { shape: plane() }, b: segment([-0.8, 1.3, 0.4], [0.1, 0.7, 0.1]) }, solve: linePlane,
     text: "Put the line's point into the plane's equation and solve for t, which may have either sign. A line along the plane has no such t: the denominator is zero.", formula: ["n*(p + t u) = w", "t = frac(w - n*p, n*u)"] },
-  { value: "plane-plane", label: "plane, plane", q: { query: "distance", a: { shape: plane() }, b: leaning }, solve: planePlane, worked: noAnswer,
+  { value: "plane-plane", label: "plane, plane", q: { query: "distance", a: { shape: plane() }, b: leaning }, solve: planePlane,
     text: "Two planes meet in a line, unless their normals are parallel. The line lies in both planes: its direction is the product of the normals.", formula: ["u = frac(n_A × n_B, |n_A × n_B|)", "n_A*x = w_A, n_B*x = w_B"] },
-  { value: "line-triangle", label: "line, triangle", q: { query: "distance", a: { shape: triangle(...corners) }, b: segment([0.1, 1.5, 0.2], [0.2, 1, 0.1]) }, solve: lineTriangle, worked: noAnswer,
+  { value: "line-triangle", label: "line, triangle", q: { query: "distance", a: { shape: triangle(...corners) }, b: segment([0.1, 1.5, 0.2], [0.2, 1, 0.1]) }, solve: lineTriangle,
     text: "The line's point in the plane of the triangle, and three signs as for a ray; but t may be negative.", formula: ["t = frac(n*a - n*p, n*u)", '"three signs as for a ray"'] },
-  { value: "plane-triangle", label: "plane, triangle", q: { query: "distance", a: { shape: plane(), translation: [0, 0.6, 0] }, b: { shape: triangle([-1, 0.2, -0.6], [1.3, 0.3, 0], [0.2, 1.5, 0.3]) } }, solve: planeTriangle, worked: noAnswer,
+  { value: "plane-triangle", label: "plane, triangle", q: { query: "distance", a: { shape: plane(), translation: [0, 0.6, 0] }, b: { shape: triangle([-1, 0.2, -0.6], [1.3, 0.3, 0], [0.2, 1.5, 0.3]) } }, solve: planeTriangle,
     text: "The signed distance of each corner. If all three have the same sign the plane misses the triangle; else two edges change sides, and are cut.", formula: ["d_i = n*x_i - w", "x = a + frac(d_a, d_a - d_b) (b - a)"] },
 ];

@@ -83,8 +83,9 @@ export const drawBounds = (d: Drawing, box: { lower: Vec; upper: Vec }, meaning:
 
 /** Where an interval ends. */
 export const endOf = (end: End): number => (typeof end === "number" ? end : end === "infinity" ? Infinity : -Infinity);
-/** What a query did as far as `trace` holds it, or one step of it (axes, iterations of GJK, expansions of EPA, cuts, counted in
- *  this order): axes through the centre, the Minkowski difference about the origin, faces where they are. */
+/** Draws what a query did as far as `trace` holds it, or one step of it (axes, iterations of GJK, expansions of EPA,
+ *  cuts, counted in this order): axes through the centre, the Minkowski difference about the origin, faces where they
+ *  are. */
 export function drawTrace(d: Drawing, { winner, axes = [], gjk, epa, difference, polytope, faces, cuts }: Partial<Trace>, marks?: Marks, step?: number): void {
   const whole = axes.map(({ name, direction, a, b }) => ({ name, direction, a: a.map(endOf), b: b.map(endOf) }));
   graze.draw.trace({ winner, axes: whole, gjk, epa: epa as graze.DrawnTrace["epa"], difference, polytope: polytope?.points, triangles: polytope?.triangles,

@@ -17,8 +17,8 @@ export class Axes {
   constructor() {
     this.element.style.height = `${height}px`;
   }
-  /** Shows the axes and the bar for a camera that looks at `target` and a picture of a height in pixels; in a plane only
-   *  the two axes that lie in it. */
+  /** Shows the axes and the bar for a camera that looks at `target` and a picture of a height in pixels; in a plane
+   *  only the two axes that lie in it. */
   show(eye: THREE.PerspectiveCamera, target: THREE.Vector3, pixels: number, flat: boolean): void {
     const seen = 2 * Math.tan((eye.fov * Math.PI) / 360) * eye.position.distanceTo(target), step = roundStep(seen * Math.min(1, eye.aspect));
     const toEye = eye.quaternion.clone().invert();

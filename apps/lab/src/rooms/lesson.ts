@@ -163,7 +163,7 @@ export class LessonRoom implements Room {
     this.look();
     this.paint();
     this.choices.show(this.state);
-    if (this.settled) this.showCode();
+    if (this.settled && this.trouble.hidden) this.showCode();
   }
   private paint(): void {
     const step = this.steps[this.step];

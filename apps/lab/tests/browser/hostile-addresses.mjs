@@ -1,7 +1,7 @@
 // Addresses that nobody would write who means well: the page shows what it can, and stays as quick as ever.
 
 import assert from "node:assert/strict";
-import { drag, frame, goTo, numbers, shown, small, test, visit } from "./harness.mjs";
+import { drag, frame, goTo, numbers, query, shown, small, test, visit } from "./harness.mjs";
 
 const asValues = (values) => `?${new URLSearchParams(Object.entries(values).map(([key, value]) => [key, typeof value === "string" ? value : JSON.stringify(value)]))}`;
 
@@ -86,5 +86,38 @@ test("hostile addresses: choices that are no numbers are the usual ones", async 
     assert.ok(!/NaN|undefined/.test((await numbers(page)) + (await page.textContent(".words")) + (await page.textContent(".code"))), id);
     assert.deepEqual(page.trouble, [], id);
   }
+  await page.context().close();
+});
+
+/** The words that a lesson has for its trouble with a state; none where it shows it. */
+async function troubleWith(page, state) {
+  await page.evaluate((next) => window.lab.change(next, true), state);
+  await frame(page);
+  return (await page.isVisible(".trouble")) ? page.textContent(".trouble") : "";
+}
+
+test("hostile addresses: boxes so far away that only rounding crosses their edges have all steps", async () => {
+  const page = await visit("", small);
+  await goTo(page, "#/lesson/contact-set");
+  const rotation = [-0.4930595611957566, 0.28751624926851466, 0.3217895623577613, 0.7554324278700337], shape = { type: "box", box: { size: [1, 1, 1] } };
+  const q = { query: "contacts", margin: 0.02, a: { shape, rotation, translation: [482027947.7889937, 233337121.49171662, 349200599.42402434] },
+    b: { shape, rotation, translation: [482027947.026985, 233337121.79533723, 349200598.8697165] } };
+  assert.equal(await troubleWith(page, { q }), "");
+  const { steps } = await shown(page);
+  assert.ok(steps > 6, `${steps} steps`);
+  for (let i = 1; i < steps; i++) await page.click("[data-next]");
+  assert.equal((await shown(page)).step, steps - 1);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("hostile addresses: a triangle that is none is refused in the words of the library", async () => {
+  const page = await visit("", small);
+  await goTo(page, "#/lesson/appendix");
+  const q = { query: "distance", a: { shape: { type: "plane" } }, b: { shape: { type: "triangle", triangle: { points: [[0, 1, 0], [0, 1], [1, 1, 0]] } } } };
+  const { error } = JSON.parse(query(JSON.stringify(q)));
+  assert.ok(error);
+  assert.equal(await troubleWith(page, { choice: { pair: "plane-triangle" }, q }), `This situation cannot be shown: ${error}`);
+  assert.deepEqual(page.trouble, []);
   await page.context().close();
 });
