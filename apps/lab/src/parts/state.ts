@@ -15,6 +15,11 @@ export function address(path: string, values: Record<string, string>): string {
   return `#${path}${rest ? `?${rest}` : ""}`;
 }
 
+/** Puts a text where it can be pasted from. A browser lets a page do so over https and from the machine itself alone. */
+export async function copy(text: string): Promise<void> {
+  if (!navigator.clipboard) throw new Error("The browser lets nothing be copied from a page that comes over http: copy the address by hand.");
+  await navigator.clipboard.writeText(text);
+}
 /** The value of the address as JSON, or `otherwise`: an address can hold anything. */
 export function parse<T>(text: string | undefined, otherwise: T, accepts: (value: unknown) => boolean): T {
   if (!text) return otherwise;

@@ -121,6 +121,7 @@ export class CaptureRoom implements Room {
     this.origin.served?.watched.end();
     this.still.cancel();
     this.timeline.stop();
+    this.steps.stop();
     this.asked?.run.dispose();
     this.leave();
     this.stage.dispose();

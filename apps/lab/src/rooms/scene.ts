@@ -6,7 +6,7 @@ import { saveFile } from "../parts/save.ts";
 import { fold } from "../parts/fold.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
-import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
+import { address, cameraOf, cameraText, copy, History, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { Scrub } from "../parts/timeline.ts";
 import type { Question, Vec } from "../question.ts";
@@ -20,7 +20,7 @@ import { Inquiry } from "../scene/inquiry.ts";
 import { sceneLayers, whenStepped } from "../scene/layers.ts";
 import { materialFields } from "../scene/materials.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
-import { beginning, changedMaterials, isMoment, isScene, movedBodies, opening, packed, type Moment } from "../scene/moment.ts";
+import { beginning, changedMaterials, isMoment, isRepeated, isScene, movedBodies, opening, packed, type Moment } from "../scene/moment.ts";
 import { askPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, colored, counted, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
 import { crowdOf, drawOverlay, graphsOf, handlesOf, stagesOf, viewOf } from "../scene/picture.ts";
@@ -60,8 +60,8 @@ export class SceneRoom implements Room {
   /** Whether somebody aimed later than they selected: the words are about that then. */
   private aimed = false;
   private draws = 0;
-  /** Whether the address holds the scene. */
-  private held = true;
+  /** The part that is too long for the address: it holds everything else. */
+  private tooLong: "scene" | "run" | null = null;
   private drawTime = 0;
   private readonly source: Source;
   private readonly events = new EventList("step");
@@ -82,8 +82,8 @@ export class SceneRoom implements Room {
   private readonly catalogue: Catalogue;
   private readonly toggle = button("Play", () => this.did(() => this.play.toggle()), { class: "accent", "data-play": true });
   private readonly settings = new Settings((changed) => this.set(changed));
-  /** The part of the address about a scene that has not come yet. */
-  private expected: { moment: Partial<Moment>; camera: Vec | null } | null = null;
+  /** The part of the address about a scene that has not come yet, and the key of that scene if the list has it. */
+  private expected: { key: string | null; moment: Partial<Moment>; camera: Vec | null } | null = null;
 
   constructor(values: Record<string, string>, onCapture: OnCapture) {
     this.source = new Source({
@@ -108,8 +108,9 @@ export class SceneRoom implements Room {
   }
   private begun(values: Record<string, string>): void {
     const moment = parse<Partial<Moment>>(values.at, {}, isMoment), camera = cameraOf(values.view);
-    this.expected = { moment, camera };
-    if (values.file) this.open(this.play.scene);
+    const key = values.file || values.q || values.s ? null : (values.scene ?? "shapes");
+    this.expected = { key, moment, camera };
+    this.open(this.play.scene); // until the one of the address has come
     if (values.file) return this.source.watch(values.file);
     try {
       const scene = values.q ? sceneOfQuestion(JSON.parse(values.q) as Question) : parse<Scene | null>(values.s, null, isScene);
@@ -120,11 +121,12 @@ export class SceneRoom implements Room {
       this.say((error as Error).message);
     }
   }
-  /** Opens a scene that has come, at the moment in the address. */
+  /** Opens a scene that has come, at the moment in the address if it is the one that the address is about. */
   private opened(scene: Scene, key: string | null = null): void {
-    this.open(scene, key, this.expected && { ...opening(scene), ...this.expected.moment });
-    if (this.expected) this.stage.camera = this.expected.camera;
+    const expected = this.expected?.key === key ? this.expected : null;
     this.expected = null;
+    this.open(scene, key, expected && { ...opening(scene), ...expected.moment });
+    if (expected) this.stage.camera = expected.camera;
     this.remember();
   }
 
@@ -136,6 +138,7 @@ export class SceneRoom implements Room {
   dispose(): void {
     this.still.cancel();
     this.source.unwatch();
+    this.steps.stop();
     this.play.dispose();
     this.stage.dispose();
   }
@@ -146,13 +149,25 @@ export class SceneRoom implements Room {
       poses: Array.from(run.poses()), deepest: depth[steps - 1] ?? 0, draws: this.draws, times: { step: stepTime, draw: this.drawTime } };
   }
 
+  /** Does what the library may refuse: the moment is recorded, or the reason is said. */
+  private tried(what: () => void): void {
+    try {
+      what();
+      this.say(null);
+      this.remember();
+    } catch (error) {
+      this.say((error as Error).message);
+    }
+  }
+
   // --- The state that the address and undo hold ---
 
   private get moment(): Moment {
-    const { scene, begun, subSteps, pulled, steps, inputs } = this.play, materials = begun?.materials ?? scene.bodies.map(({ material }) => material);
+    const { scene, begun, subSteps, pulled } = this.play, materials = begun?.materials ?? scene.bodies.map(({ material }) => material);
+    const { steps, inputs } = this.play.goal ?? { steps: this.play.steps, inputs: this.play.inputs.upTo(this.play.steps) };
     return { places: movedBodies(scene, this.before), selected: this.selected, subSteps, gravity: begun ? begun.gravity : pulled,
-      materials: changedMaterials(materials, this.before.map(({ material }) => material)), steps, inputs: inputs.upTo(steps),
-      aim: this.shooting.aim, ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
+      materials: changedMaterials(materials, this.before.map(({ material }) => material)), steps, inputs,
+      aim: this.shooting.aim, aimed: this.aimed || this.shooting.aim === null, ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
   }
   /** The settings that stay from one scene to the next. */
   private get kept(): Partial<Moment> {
@@ -173,23 +188,27 @@ export class SceneRoom implements Room {
   }
   /** Writes the address of the page. */
   private write(): void {
-    const { moment } = this, { scene } = this.play, values: Record<string, string> = this.key ? { scene: this.key } : {};
+    const { scene } = this.play, values: Record<string, string> = this.key ? { scene: this.key } : {};
     this.undoes.disabled = !this.history.hasPast;
     this.redoes.disabled = !this.history.hasFuture;
-    this.held = true;
+    this.tooLong = null;
     if (this.source.served) values.file = this.source.served;
     else if (!this.key) {
       const text = packed({ ...scene, bodies: scene.bodies.map((body, i) => ({ ...body, ...this.before[i] })) });
-      this.held = text !== null;
-      if (!text) return;
-      values.s = text;
+      if (text) values.s = text;
+      else this.tooLong = "scene";
     }
-    // The moment is spread over the first one, so that both have their keys in one order.
-    const first = opening(scene);
-    if (JSON.stringify({ ...first, ...moment }) !== JSON.stringify(first)) values.at = JSON.stringify(moment);
+    if (this.tooLong === null) this.writeMoment(values);
     const { camera } = this.stage;
     if (camera) values.view = cameraText(camera);
     history.replaceState(null, "", address("/scene", values));
+  }
+  /** Adds the moment to the values of an address, without its run if that is too long. */
+  private writeMoment(values: Record<string, string>): void {
+    const { moment } = this, first = opening(this.play.scene), held = isRepeated(moment) ? moment : { ...moment, steps: 0, inputs: [] };
+    if (held !== moment) this.tooLong = "run";
+    // The moment is spread over the first one, so that both have their keys in one order.
+    if (JSON.stringify({ ...first, ...held }) !== JSON.stringify(first)) values.at = JSON.stringify(held);
   }
   /** Takes a moment over, but for its drawing. */
   private take(moment: Moment): void {
@@ -207,7 +226,7 @@ export class SceneRoom implements Room {
     this.steps.shown = moment;
     this.selected = moment.selected.filter((i) => i >= 0 && i < scene.bodies.length);
     this.shooting.aim = aimsAt(moment.aim, scene) ? moment.aim : null;
-    this.aimed = this.shooting.aim !== null;
+    this.aimed = moment.aimed;
     this.showSettings();
   }
   private restore(moment: Moment | null): void {
@@ -228,19 +247,27 @@ export class SceneRoom implements Room {
     const of = ({ places, subSteps, gravity, materials }: Moment): string => JSON.stringify([places, subSteps, gravity, materials]);
     return of(moment) === of(this.moment) && JSON.stringify(this.play.inputs.upTo(moment.steps)) === JSON.stringify(moment.inputs);
   }
-  undo(): void {
+  /** Stops time, and records how far it had gone. */
+  private halt(): void {
+    if (this.play.running) this.history.push(this.moment);
     this.play.stop();
+  }
+  undo(): void {
+    this.halt();
     this.restore(this.history.undo());
   }
   redo(): void {
-    this.play.stop();
+    this.halt();
     this.restore(this.history.redo());
   }
   /** Begins the scene anew, with other settings if these are given. */
   private begin(settings: Partial<Moment> = {}): void {
+    this.halt();
     const { scene, pulled: gravity } = this.play, materials = changedMaterials(scene.bodies.map(({ material }) => material), this.before.map(({ material }) => material));
-    this.restore({ ...this.moment, gravity, materials, ...settings, steps: 0, inputs: [] });
-    this.history.push(this.moment);
+    this.take({ ...this.moment, gravity, materials, ...settings });
+    this.play.begin();
+    this.show();
+    this.remember();
   }
   /** Called after layers were switched. */
   private changed(): void {
@@ -250,11 +277,11 @@ export class SceneRoom implements Room {
   /** Sets how time runs. Sub-steps need a new simulation, the rest counts from the next step on. */
   private set({ subSteps, gravity, speed = this.play.speed }: Partial<Moment>): void {
     if (subSteps !== undefined) return this.begin({ subSteps });
-    this.play.speed = speed;
-    if (gravity !== undefined) this.play.pulled = gravity;
-    if (gravity !== undefined) this.play.act({ kind: "gravity", gravity: this.play.gravity });
+    this.tried(() => {
+      this.play.speed = speed;
+      if (gravity !== undefined) this.play.setGravity(gravity);
+    });
     this.showSettings();
-    this.remember();
   }
 
   // --- Scenes ---
@@ -268,7 +295,7 @@ export class SceneRoom implements Room {
       this.play.open(scene);
       const first = moment ?? { ...opening(scene), ...this.kept };
       this.take(first);
-      if (Object.keys(first.places).length > 0 || first.steps > 0) this.play.repeat(first.steps, first.inputs);
+      if (Object.keys(first.places).length > 0 || first.steps > 0 || first.inputs.length > 0) this.play.repeat(first.steps, first.inputs);
     } catch (error) {
       this.say(`${scene.name}: ${(error as Error).message}`);
       this.before = this.selected = [];
@@ -374,12 +401,13 @@ export class SceneRoom implements Room {
   }
   private copyAddress(): void {
     this.write();
-    navigator.clipboard.writeText(location.href).then(() => (this.done.textContent = this.held ? "Copied." : "Copied; the scene is too long for an address, and is left out."),
+    copy(location.href).then(() => (this.done.textContent = this.tooLong ? `Copied; the ${this.tooLong} is too long for an address, and is left out.` : "Copied."),
       (error: Error) => this.say(error.message));
   }
   /** Saves the run up to the present step as a file that the lab and `graze replay` play. */
   private async save(): Promise<void> {
     this.play.stop();
+    if (this.play.steps === 0) return void (this.done.textContent = "Nothing was played yet: a capture has a frame for each step.");
     this.done.textContent = "The run is made once more …";
     try {
       const frames = await this.play.captured(), name = `${this.key ?? "scene"}.capture`;
@@ -395,14 +423,10 @@ export class SceneRoom implements Room {
     this.settings.show({ subSteps, gravity, speed }, run.flat);
   }
   private setMaterial(body: number, material: NonNullable<SceneBody["material"]>): void {
-    try {
+    this.tried(() => {
       if (this.play.run.played) this.play.act({ kind: "material", body, material });
       else this.play.run.setMaterial(body, material);
-      this.say(null);
-      this.remember();
-    } catch (error) {
-      this.say((error as Error).message);
-    }
+    });
   }
   private tell(): void {
     const { scene, run, stepTime, stages } = this.play, found = this.few ? this.found : run.contacts();
@@ -410,6 +434,7 @@ export class SceneRoom implements Room {
       (run.played ? ` · step ${digits(stepTime, 3)} ms${stages ? ` (${stagesOf(stages)})` : ""} · drawing ${digits(this.drawTime, 3)} ms` : "");
     this.pairs.show(pairRows(found, "Pairs in contact", (i) => scene.bodies[i]?.name ?? String(i), this.selected, (bodies) => this.select(bodies)));
     this.plot.replaceChildren(...graphsOf(this.play));
+    if (!this.play.running) this.showSettings(); // else a field is not overwritten while somebody writes in it
     const [i] = this.selected;
     this.materials.replaceChildren(...(i === undefined ? [] : materialFields(scene.bodies[i], (material) => this.setMaterial(i, material))));
     this.events.show(this.play.steps, (step) => this.play.eventsOf(step), (body) => scene.bodies[body]?.name ?? "the world");

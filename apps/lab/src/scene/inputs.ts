@@ -4,6 +4,7 @@
 import type { graze } from "../graze.ts";
 import type { Vec } from "../question.ts";
 import { isPlace, isVector } from "./checks.ts";
+import type { Scene } from "./model.ts";
 import type { Place, Run } from "./run.ts";
 
 /** The spring that somebody holds a body by. */
@@ -22,11 +23,16 @@ export type Input = Action & { step: number };
 const isBody = (value: unknown): boolean => Number.isInteger(value) && (value as number) >= 0;
 function isInput(value: unknown): boolean {
   const { step, kind, ...of } = (value ?? {}) as Record<string, unknown>, pull = of.pull as Pull | null;
-  return isBody(step) && ((kind === "put" && isBody(of.body) && isPlace(of.place)) || (kind === "material" && isBody(of.body) && typeof of.material === "object") ||
+  return isBody(step) && ((kind === "put" && isBody(of.body) && isPlace(of.place)) || (kind === "material" && isBody(of.body) && typeof of.material === "object" && of.material !== null) ||
     (kind === "gravity" && isVector(of.gravity)) || (kind === "pull" && (pull === null || (isBody(pull?.body) && isVector(pull?.to)))));
 }
 /** Whether a value of an address is a list of inputs. */
 export const areInputs = (value: unknown): value is Input[] => Array.isArray(value) && value.every(isInput);
+
+/** The number of the body that an input is about: -1 where there is none. */
+const bodyOf = (input: Input): number => (input.kind === "gravity" ? undefined : input.kind === "pull" ? input.pull?.body : input.body) ?? -1;
+/** Those inputs whose bodies a scene has: an address may name any. */
+export const possible = (inputs: Input[], { bodies }: Scene): Input[] => inputs.filter((input) => bodyOf(input) < bodies.length);
 
 /** Does an action but for pulling, which is done anew in each step. */
 export function act(run: Run, action: Action): void {

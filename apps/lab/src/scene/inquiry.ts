@@ -4,7 +4,7 @@
 import { ask, line } from "../graze.ts";
 import { button, digits, h, vector } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
-import { address } from "../parts/state.ts";
+import { address, copy } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import type { Question } from "../question.ts";
 import { unmet } from "./meeting.ts";
@@ -44,7 +44,7 @@ export class Inquiry {
       }
     };
     this.element = h("details", {}, h("summary", {}, "As a question"), this.asked,
-      h("p", { class: "actions" }, button("Copy", () => void navigator.clipboard.writeText(this.asked.value)), button("Ask it", askIt)));
+      h("p", { class: "actions" }, button("Copy", () => copy(this.asked.value).catch((error: Error) => onTrouble(error.message))), button("Ask it", askIt)));
   }
 
   tell(title: string, words: string, ...more: Node[]): void {

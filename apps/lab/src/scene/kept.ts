@@ -17,8 +17,9 @@ export class KeptStates {
     this.forgetFrom(-Infinity);
     this.bodies = bodies;
   }
-  has(step: number): boolean {
-    return this.states.has(step);
+  /** Whether the state after so many steps is to be kept, and is not. */
+  wants(step: number): boolean {
+    return !this.states.has(step) && !this.isSpared(step, Math.max(...this.states.keys()));
   }
   /** The earliest step that can be gone back to. */
   get first(): number {
@@ -28,9 +29,8 @@ export class KeptStates {
   keep(step: number, state: graze.State): void {
     this.states.get(step)?.dispose();
     this.states.set(step, state);
-    const old = step - dense;
-    if (this.bodies > large && old % sparse !== 0) this.drop(old);
-    for (const early of [...this.states.keys()].filter((one) => one < step - longest)) this.drop(early);
+    const newest = Math.max(...this.states.keys());
+    for (const old of [...this.states.keys()].filter((one) => one < newest - longest || this.isSpared(one, newest))) this.drop(old);
   }
   /** The latest state up to a step, and its step. */
   upTo(step: number): [number, graze.State] {
@@ -39,6 +39,10 @@ export class KeptStates {
   }
   forgetFrom(step: number): void {
     for (const late of [...this.states.keys()].filter((one) => one >= step)) this.drop(late);
+  }
+  /** Whether a large scene has no room for a state, beside the newest. */
+  private isSpared(step: number, newest: number): boolean {
+    return this.bodies > large && step <= newest - dense && step % sparse !== 0;
   }
   private drop(step: number): void {
     this.states.get(step)?.dispose();

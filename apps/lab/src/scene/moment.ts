@@ -35,12 +35,13 @@ export interface Moment extends Shown {
   /** The number of steps that were made, and what was done in them. */
   steps: number;
   inputs: Input[];
-  /** What was shot or measured last. */
+  /** What was shot or measured last, and whether nothing was selected since: the words are about it then. */
   aim: Aim | null;
+  aimed: boolean;
 }
 
 export const firstShown: Shown = { selected: [], explained: "distance", traceStep: -1, speed: 1, layers: [] };
-export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: null, materials: {}, steps: 0, inputs: [], aim: null };
+export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: null, materials: {}, steps: 0, inputs: [], aim: null, aimed: true };
 /** The moment at which a scene is opened: one that was made of a question answers it. */
 export function opening({ question, bodies }: Scene): Moment {
   if (!question) return beginning;
@@ -59,9 +60,9 @@ export function isShown(value: unknown): boolean {
 const mostSteps = 36000;
 /** Whether a value of an address is one of a scene's moment, likewise. */
 export function isMoment(value: unknown): boolean {
-  const { places, subSteps, gravity, materials, steps, inputs, aim } = { ...beginning, ...(value as Partial<Moment> | null) };
+  const { places, subSteps, gravity, materials, steps, inputs, aim, aimed } = { ...beginning, ...(value as Partial<Moment> | null) };
   return isShown(value) && typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
-    [1, 2, 4, 8, 16].includes(subSteps) && (gravity === null || isVector(gravity)) && isAim(aim) &&
+    [1, 2, 4, 8, 16].includes(subSteps) && (gravity === null || isVector(gravity)) && isAim(aim) && typeof aimed === "boolean" &&
     typeof materials === "object" && materials !== null && Object.values(materials).every((one) => typeof one === "object") &&
     Number.isInteger(steps) && steps >= 0 && steps <= mostSteps && areInputs(inputs);
 }
@@ -77,8 +78,10 @@ export function movedBodies(scene: Scene, before: Place[]): Record<number, Place
 export const changedMaterials = (materials: (Material | undefined)[], before: (Material | undefined)[]): Record<number, Material> =>
   Object.fromEntries([...materials.entries()].filter(([i, now]) => JSON.stringify(now) !== JSON.stringify(before[i])).map(([i, now]) => [i, now ?? {}]));
 
-/** The length of the longest scene that an address takes. */
-const longest = 6000;
+/** The lengths of the longest scene and the longest list of inputs that an address takes. */
+const longest = 6000, longestInputs = 60000;
+/** Whether an address takes the run of a moment. */
+export const isRepeated = ({ steps, inputs }: Moment): boolean => steps <= mostSteps && JSON.stringify(inputs).length <= longestInputs;
 /** A scene as the value of an address, if it is that short. */
 export function packed(scene: Scene): string | null {
   const text = JSON.stringify(scene);

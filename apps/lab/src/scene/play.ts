@@ -1,9 +1,10 @@
-// A scene in time: played, stepped, and gone through, back as far as states are kept and forward as far as it was played.
+// A scene in time: played, stepped, and gone through, back as far as states are kept and forward as far as it was
+// played.
 
 import type { graze } from "../graze.ts";
 import type { Vec } from "../question.ts";
 import { sorted, type StepEvents } from "./events.ts";
-import { act, Inputs, type Action, type Input, type Pull } from "./inputs.ts";
+import { act, Inputs, possible, type Action, type Input, type Pull } from "./inputs.ts";
 import { KeptStates } from "./kept.ts";
 import type { Scene } from "./model.ts";
 import { Run, type Stages } from "./run.ts";
@@ -45,6 +46,8 @@ export class Play {
   stages: Stages | null = null;
   readonly inputs = new Inputs();
   begun: Begun | null = null;
+  /** The run that is being repeated, until it is there or somebody stops it. */
+  goal: { steps: number; inputs: Input[] } | null = null;
   private events: (StepEvents | undefined)[] = [];
   private readonly kept = new KeptStates();
   private ticking = 0;
@@ -63,7 +66,11 @@ export class Play {
     return this.ticking !== 0;
   }
   get gravity(): Vec {
-    return this.pulled ?? this.scene.gravity ?? [0, -9.81, 0];
+    return this.pulled ?? this.own;
+  }
+  /** The scene's own gravity. */
+  private get own(): Vec {
+    return this.scene.gravity ?? [0, -9.81, 0];
   }
   /** The first step that can be gone back to. */
   get first(): number {
@@ -102,6 +109,7 @@ export class Play {
   stop(): void {
     cancelAnimationFrame(this.ticking);
     this.ticking = 0;
+    this.goal = null;
     this.listener.onRunning(false);
   }
   step(): void {
@@ -119,32 +127,40 @@ export class Play {
       this.listener.onStep();
     });
   }
-  /** Does something to the simulation, after which nothing later is true any more. */
+  /** Does something to the simulation, after which nothing later is true any more. Throws where the library refuses it;
+   *  everything stays then as it was. */
   act(action: Action): void {
     if (!this.run.played && !this.running) return;
+    if (this.goal) this.stop();
     this.start();
+    act(this.run, action);
     this.kept.forgetFrom(this.steps + 1);
     this.inputs.forgetAfter(this.steps);
     this.last = this.steps;
     for (const values of [this.energy, this.depth]) values.length = this.steps;
     this.events.length = Math.min(this.events.length, this.steps + 1);
-    act(this.run, action);
     this.inputs.add({ ...action, step: this.steps });
     if (action.kind !== "pull") this.kept.keep(this.steps, this.run.save());
+  }
+  /** Sets the gravity from here on; null is the scene's own. */
+  setGravity(gravity: Vec | null): void {
+    this.act({ kind: "gravity", gravity: gravity ?? this.own });
+    this.pulled = gravity;
   }
   /** Repeats a run from its beginning: so many steps, with what was done in them. It goes on between pictures where it
    *  takes longer than one. */
   repeat(steps: number, inputs: Input[]): void {
     this.begin();
-    if (steps === 0) return;
-    this.inputs.list = inputs;
-    const some = (): void => {
-      for (const until = performance.now() + slice; this.steps < steps && performance.now() < until;) this.onward();
-    };
-    this.attempt(() => (this.start(), some()));
-    if (this.steps < steps) this.tick(() => {
-      this.attempt(some);
-      if (this.steps >= steps) this.stop();
+    const done = possible(inputs, this.scene).filter(({ step }) => step <= steps);
+    if (steps === 0 && done.length === 0) return;
+    this.inputs.list = done;
+    this.goal = { steps, inputs: done };
+    this.attempt(() => {
+      this.start();
+      this.approach();
+    });
+    if (this.goal) this.tick(() => {
+      this.attempt(() => this.approach());
       this.listener.onStep();
     });
   }
@@ -155,7 +171,7 @@ export class Play {
     const bodies = this.scene.bodies.map((body, i) => ({ ...body, material: begun ? begun.materials[i] : body.material }));
     const run = new Run({ ...this.scene, bodies });
     try {
-      run.play(begun?.subSteps ?? this.subSteps, begun?.gravity ?? this.gravity, (bytes) => frames.push(bytes));
+      run.play(begun?.subSteps ?? this.subSteps, (begun ? begun.gravity : this.pulled) ?? this.own, (bytes) => frames.push(bytes));
       for (let step = 0, until = performance.now() + slice; step < steps; step++) {
         for (const input of inputs.at(step)) act(run, input);
         const pull = inputs.pullAt(step);
@@ -195,6 +211,12 @@ export class Play {
     this.begun = { subSteps, gravity, materials: scene.bodies.map(({ material }) => material) };
     this.run.play(subSteps, this.gravity);
     this.reach();
+  }
+  /** Goes on towards the goal, until a picture is due. */
+  private approach(): void {
+    const { steps } = this.goal!;
+    for (const until = performance.now() + slice; this.steps < steps && performance.now() < until;) this.onward();
+    if (this.steps >= steps) this.stop();
   }
   /** Makes a step, or goes on to the next that was made. `hidden`: another step follows before anything is drawn. */
   private forward(hidden = false): void {
@@ -245,7 +267,7 @@ export class Play {
       act(this.run, input);
       if (input.kind === "gravity") this.pulled = input.gravity;
     }
-    if (!this.kept.has(this.steps)) this.kept.keep(this.steps, this.run.save());
+    if (this.kept.wants(this.steps)) this.kept.keep(this.steps, this.run.save());
   }
   private forget(): void {
     this.kept.clear(0);

@@ -17,6 +17,9 @@ const set = async (page, field, value) => {
   await page.fill(field, String(value));
   await page.dispatchEvent(field, "change");
 };
+/** A scene of the list at a moment. */
+const at = (name, moment) => visit(`#/scene?scene=${name}&at=${encodeURIComponent(JSON.stringify(moment))}`, small);
+const momentOf = async (page) => JSON.parse(new URLSearchParams((await address(page)).split("?")[1]).get("at"));
 const restitution = '[data-material] label:has-text("Restitution") input';
 
 test("time: the address of a run repeats it with everything that was done, to the same bits", async () => {
@@ -52,6 +55,181 @@ test("time: the address of a run repeats it with everything that was done, to th
   await press(plain, "[data-step]", there.frames);
   assert.notDeepEqual((await shown(plain)).poses, there.poses);
   for (const one of [page, other, plain]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("time: while a run is repeated the address, undo and a look at something else keep the whole of it", async () => {
+  const inputs = [20, 380].map((step) => ({ kind: "gravity", gravity: [step / 100, -9.81, 0], step })), page = await at("pyramid", { steps: 400, inputs });
+  const early = await shown(page);
+  assert.ok(early.frames < 400, "the run was there before anybody looked");
+  for (const body of ["box 19.0", "box 0.0"]) await page.selectOption('[data-body="0"]', { label: body });
+  const looked = await momentOf(page);
+  await page.click("[data-undo]");
+  const undone = await momentOf(page);
+  assert.ok((await shown(page)).frames < 400);
+  await page.waitForFunction(() => window.lab.shown.frames === 400 && !window.lab.play.running);
+  for (const moment of [looked, undone, await momentOf(page)]) assert.deepEqual([moment.steps, moment.inputs], [400, inputs]);
+  // Somebody who stops it stays there.
+  const other = await at("pyramid", { steps: 400, inputs });
+  await other.click("[data-play]");
+  const { frames } = await shown(other);
+  assert.ok(frames > 0 && frames < 400);
+  await other.waitForFunction((steps) => new RegExp(`steps%22%3A${steps}%`).test(location.hash), frames);
+  assert.deepEqual((await momentOf(other)).inputs, inputs.slice(0, 1));
+  for (const one of [page, other]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("time: what is done before the first step is in the address, in undo and in a capture", async () => {
+  const page = await scene("heavy");
+  await press(page, "[data-step]", 3);
+  await scrub(page, 0);
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await set(page, restitution, 0.5);
+  await set(page, '[aria-label^="Gravity along X"]', 3);
+  await page.evaluate(() => {
+    const { at } = window.lab.stage.last.handles.find(({ id }) => id === "Y");
+    window.lab.drag("Y", [at[0], at[1] + 0.25, at[2]], true);
+  });
+  const { poses, frames } = await shown(page);
+  assert.equal(frames, 0);
+  const same = async (one) => {
+    assert.deepEqual((await shown(one)).poses, poses);
+    assert.deepEqual(await Promise.all([restitution, '[aria-label^="Gravity along X"]'].map((field) => one.inputValue(field))), ["0.5", "3"]);
+  };
+  const other = await visit(await address(page), small);
+  await same(other);
+  await page.click('button:text-is("Start again")');
+  assert.notDeepEqual((await shown(page)).poses, poses);
+  await page.click("[data-undo]");
+  await same(page);
+  for (const one of [page, other]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("time: 'Start again' is taken back, stops a scene that plays, and ends what was to come", async () => {
+  const page = await scene("heavy");
+  await press(page, "[data-step]", 5);
+  const { poses } = await shown(page);
+  await press(page, "[data-back]", 5);
+  await page.click("[data-play]");
+  await page.waitForFunction(() => window.lab.shown.frames > 0);
+  await page.click('button:text-is("Start again")');
+  const begun = await page.evaluate(() => [window.lab.play.running, window.lab.play.steps, window.lab.play.last]);
+  assert.deepEqual(begun, [false, 0, 0]);
+  await page.click("[data-undo]");
+  assert.ok((await shown(page)).frames > 0);
+  await page.click("[data-redo]");
+  assert.equal((await shown(page)).frames, 0);
+  await press(page, "[data-step]", 5);
+  assert.deepEqual((await shown(page)).poses, poses);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: undo while a scene plays comes back to where it was before, and redo to where it stopped", async () => {
+  const page = await scene("heavy");
+  await press(page, "[data-step]", 5);
+  await page.click("[data-play]");
+  await page.waitForFunction(() => window.lab.shown.frames > 8);
+  await page.keyboard.press("Control+z");
+  assert.deepEqual(await page.evaluate(() => [window.lab.play.running, window.lab.play.steps]), [false, 5]);
+  await page.click("[data-redo]");
+  assert.ok((await shown(page)).frames > 8);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: gravity is shown as it was at each step; one that is refused changes nothing", async () => {
+  const page = await scene("heavy"), along = '[aria-label^="Gravity along X"]';
+  await press(page, "[data-step]", 4);
+  await set(page, along, 3);
+  await press(page, "[data-step]", 4);
+  await scrub(page, 2);
+  assert.equal(await page.inputValue(along), "0");
+  await scrub(page, 6);
+  assert.equal(await page.inputValue(along), "3");
+  await page.evaluate(() => window.lab.set({ gravity: [NaN, 0, 0] }));
+  assert.match(await page.textContent(".trouble:not([hidden])"), /gravity/);
+  assert.deepEqual(await page.evaluate(() => [window.lab.play.last, window.lab.play.gravity]), [8, [3, -9.81, 0]]);
+  assert.equal(await page.inputValue(along), "3");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: nothing of an address that a scene has not makes the page blank, and nothing goes over to another scene", async () => {
+  const inputs = [{ step: 0, kind: "pull", pull: { body: 99, to: [0, 0, 0] } }, { step: 1, kind: "material", body: 99, material: {} }, { step: 2, kind: "gravity", gravity: [1, -9.81, 0] }];
+  const page = await at("heavy", { steps: 5, inputs });
+  assert.equal((await shown(page)).frames, 5);
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  assert.deepEqual((await momentOf(page)).inputs, inputs.slice(2));
+  assert.ok(!(await page.isVisible(".trouble")));
+  const elsewhere = [];
+  for (const what of ["q=%7B", "q=%7B%7D", "s=%7B%7D", "scene=nothing"]) {
+    const other = await visit(`#/scene?${what}&at=${encodeURIComponent(JSON.stringify({ steps: 5, selected: [1] }))}`, small);
+    await other.waitForFunction(() => window.lab.shown.bodies > 1);
+    assert.equal((await shown(other)).frames, 0, what);
+    assert.equal(await other.textContent(".words h2"), "Select a body", what);
+    elsewhere.push(other);
+  }
+  for (const one of [page, ...elsewhere]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("time: the address leaves out what it cannot hold, and says so", async () => {
+  const page = await scene("heavy");
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  const copied = async () => {
+    await page.click("[data-permalink]");
+    await page.waitForFunction(() => /Copied/.test(document.querySelector(".counter[aria-live]").textContent));
+    return page.textContent(".counter[aria-live]");
+  };
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await press(page, "[data-step]", 3);
+  assert.equal(await copied(), "Copied.");
+  assert.equal((await momentOf(page)).steps, 3);
+  // Ten minutes and a step: nobody waits for it here.
+  await page.evaluate(() => (window.lab.play.steps = 36001));
+  assert.match(await copied(), /the run is too long/);
+  assert.deepEqual([(await momentOf(page)).steps, (await momentOf(page)).selected], [0, [1]]);
+  await page.evaluate(() => {
+    window.lab.play.steps = 3;
+    window.lab.play.inputs.list = Array.from({ length: 3000 }, (_, step) => ({ kind: "gravity", gravity: [0, 0, 0], step: step / 1000 }));
+  });
+  assert.match(await copied(), /the run is too long/);
+  assert.deepEqual((await momentOf(page)).inputs, []);
+  await page.evaluate(() => window.lab.opened({ name: "many", bodies: Array.from({ length: 60 }, (_, i) => (
+    { name: `ball ${i}`, shape: { type: "sphere", sphere: { radius: 0.5 } }, translation: [2 * i, 0, 0], rotation: [0, 0, 0, 1], moves: true })) }));
+  assert.match(await copied(), /the scene is too long/);
+  assert.equal(await address(page), "#/scene");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("time: the address says whether somebody aimed or selected last", async () => {
+  const page = await scene("heavy");
+  await page.click('button:text-is("Shoot a ray")');
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  await page.mouse.click(picture.x + picture.width * 0.57, picture.y + picture.height / 2);
+  const ray = await page.textContent(".words h2");
+  assert.match(ray, /^The ray hits/);
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  assert.equal(await page.textContent(".words h2"), "light");
+  const other = await visit(await address(page), small);
+  assert.equal(await other.textContent(".words h2"), "light");
+  await page.click("[data-undo]");
+  assert.equal(await page.textContent(".words h2"), ray);
+  await page.click("[data-redo]");
+  assert.equal(await page.textContent(".words h2"), "light");
+  for (const one of [page, other]) {
     assert.deepEqual(one.trouble, []);
     await one.context().close();
   }
@@ -117,7 +295,9 @@ test("time: a run is gone through by a slider, back and forward to the same bits
 
 test("time: a run is saved as a capture, which comes to the same bits", async () => {
   const page = await scene("heavy");
-  await press(page, "[data-step]", 20);
+  await press(page, "[data-step]", 10);
+  await set(page, '[aria-label^="Gravity along X"]', 3);
+  await press(page, "[data-step]", 10);
   const { poses } = await shown(page), [download] = await Promise.all([page.waitForEvent("download"), page.click("[data-save]")]);
   assert.equal(download.suggestedFilename(), "heavy.capture");
   const bytes = readFileSync(await download.path());
@@ -167,8 +347,11 @@ test("time: ten seconds of a large scene can be gone back", async () => {
   });
   assert.equal(first, 0);
   const near = (await shown(page)).poses;
+  const kept = () => page.evaluate(() => [...window.lab.play.kept.states.keys()].sort((i, j) => i - j)), before = await kept();
+  assert.equal(before.length, 8 + 60); // of each tenth up to 70, and of the last second
   await scrub(page, 35);
   assert.equal((await shown(page)).frames, 35);
+  assert.deepEqual(await kept(), before);
   await scrub(page, 130);
   assert.deepEqual((await shown(page)).poses.map((x) => x.toFixed(9)), near.map((x) => x.toFixed(9)));
   await frame(page);
