@@ -151,10 +151,11 @@ export function weightedPoint(q: Question, distance: number): Vec {
   const [p] = found.manifolds[0].points;
   return p.a.map((x, i) => x + (p.b[i] - x) * p.weight);
 }
-/** A body of the plane at time t of its motion. */
-export function bodyAt(body: Body, t: number): Body {
-  const pose = graze.plane.poseAt({
-    translation: body.translation ?? [0, 0], rotation: Number(body.rotation ?? 0),
-    linear: body.linear ?? [0, 0], angular: Number(body.angular ?? 0) }, t);
-  return { ...body, translation: pose.translation, rotation: pose.rotation };
+/** A body at time t of its motion, in the plane or in space. */
+export function bodyAt(body: Body, t: number, flat = true): Body {
+  const moving = flat
+    ? { translation: body.translation ?? [0, 0], rotation: Number(body.rotation ?? 0), linear: body.linear ?? [0, 0], angular: Number(body.angular ?? 0) }
+    : { ...poseOf(body), linear: body.linear, angular: body.angular };
+  const { translation, rotation } = flat ? graze.plane.poseAt(moving as graze.plane.Moving, t) : graze.poseAt(moving as graze.Moving, t);
+  return { ...body, translation, rotation };
 }

@@ -12,10 +12,12 @@ export const speedSelect = (): HTMLSelectElement =>
 /** A slider through so many steps, and the words beside it. */
 export class Scrub {
   readonly slider: HTMLInputElement;
-  readonly where = h("output", { class: "where" });
+  readonly where: HTMLElement;
 
-  /** `onScrub`: called with the step that was chosen, `onDone` once somebody let it go. */
-  constructor(word: string, onScrub: (step: number) => void, onDone: () => void = () => {}) {
+  /** `onScrub`: called with the step that was chosen, `onDone` once somebody let it go. `spoken`: whether a screen reader
+   *  says each change of the words, which is too much where they change with every picture. */
+  constructor(word: string, spoken: boolean, onScrub: (step: number) => void, onDone: () => void = () => {}) {
+    this.where = h(spoken ? "output" : "span", { class: "where" });
     this.slider = h("input", { type: "range", min: 0, max: 0, step: 1, "aria-label": `Which ${word}`,
       oninput: () => onScrub(Number(this.slider.value)), onchange: onDone }) as HTMLInputElement;
   }
@@ -37,6 +39,8 @@ export interface TimelineWords {
   marks?: [next: string, back: string];
   /** The words beside the slider. */
   where?: (at: number, count: number) => string;
+  /** Whether a screen reader says each change of them. */
+  spoken?: boolean;
 }
 
 export class Timeline {
@@ -57,14 +61,14 @@ export class Timeline {
 
   /** `period`: milliseconds from one step to the next while it plays. `onSpeed`: called when another speed was
    *  chosen. */
-  constructor(onStep: (step: number) => void, { word = "step", next = `Next ${word}`, marks = ["data-next", "data-previous"], where = (at, count) => `${at + 1} / ${count}` }: TimelineWords = {},
+  constructor(onStep: (step: number) => void, { word = "step", next = `Next ${word}`, marks = ["data-next", "data-previous"], where = (at, count) => `${at + 1} / ${count}`, spoken = true }: TimelineWords = {},
     period = 900, onSpeed: () => void = () => {}) {
     this.onStep = onStep;
     this.period = period;
     this.words = where;
     const button = (label: string, sign: string, act: () => void, more = {}): HTMLButtonElement =>
       h("button", { type: "button", "aria-label": label, title: label, onclick: act, ...more }, sign) as HTMLButtonElement;
-    this.scrub = new Scrub(word, (step) => this.go(step));
+    this.scrub = new Scrub(word, spoken, (step) => this.go(step));
     this.play = button("Play", "▶", () => this.toggle());
     this.next = h("button", { type: "button", class: "accent", [marks[0]]: true, onclick: () => this.go(this.at + 1) }, next) as HTMLButtonElement;
     this.back = button(`Previous ${word}`, "◀", () => this.go(this.at - 1), { [marks[1]]: true });

@@ -58,7 +58,7 @@ export interface Origin {
 export class CaptureRoom implements Room {
   readonly element: HTMLElement;
   private readonly stage = new Stage3();
-  private readonly timeline = new Timeline((frame) => this.go(frame), { word: "frame" }, 1000 / 60, () => this.write());
+  private readonly timeline = new Timeline((frame) => this.go(frame), { word: "frame", spoken: false }, 1000 / 60, () => this.write());
   private readonly layers = new Layers(captureLayers, () => this.show());
   private readonly still = whenStill(() => this.write());
   private readonly pairs = new Table();

@@ -35,6 +35,8 @@ import type { Room } from "./room.ts";
 
 /** The number of bodies above which contacts are counted and not drawn. */
 const mostDrawn = 200;
+/** A place alone: an address may hold more beside it. */
+const placed = (of: Place | undefined): Place | undefined => of && { translation: of.translation, rotation: of.rotation };
 /** Called with a capture that was opened in place of a scene, and with the watched file if it is served. */
 export type OnCapture = (name: string, captured: Captured, served: Served | null) => void;
 
@@ -69,7 +71,7 @@ export class SceneRoom implements Room {
   private readonly redoes = button("Redo", () => this.redo(), { "data-redo": true });
   /** What became of a button that leads to nothing that is seen. */
   private readonly done = h("p", { class: "counter", "aria-live": "polite" });
-  private readonly scrub = new Scrub("step", (step) => (this.play.stop(), this.play.goTo(step)), () => this.did(() => {}));
+  private readonly scrub = new Scrub("step", false, (step) => (this.play.stop(), this.play.goTo(step)), () => this.did(() => {}));
   private readonly pairs = new Table();
   private readonly steps = new TraceSteps(() => (this.paint(), this.write()));
   private readonly materials = h("div", { class: "choices", "data-material": true });
@@ -215,7 +217,7 @@ export class SceneRoom implements Room {
     const { scene } = this.play;
     this.play.subSteps = moment.subSteps;
     this.play.pulled = moment.gravity;
-    for (const [i, body] of scene.bodies.entries()) Object.assign(body, this.before[i], moment.places[i], moment.materials[i] && { material: moment.materials[i] });
+    for (const [i, body] of scene.bodies.entries()) Object.assign(body, this.before[i], placed(moment.places[i]), moment.materials[i] && { material: moment.materials[i] });
     this.takeLooks(moment);
   }
   /** Takes over what does not move anything. */
@@ -419,8 +421,8 @@ export class SceneRoom implements Room {
     }
   }
   private showSettings(): void {
-    const { subSteps, gravity, speed, run } = this.play;
-    this.settings.show({ subSteps, gravity, speed }, run.flat);
+    const { subSteps, gravity, own, speed, run } = this.play;
+    this.settings.show({ subSteps, gravity, speed }, own, run.flat);
   }
   private setMaterial(body: number, material: NonNullable<SceneBody["material"]>): void {
     this.tried(() => {

@@ -2,7 +2,7 @@
 // are.
 
 import { ask, type Answer } from "../graze.ts";
-import { drawCast, drawDistance, drawRay, onto } from "../parts/answers.ts";
+import { drawCast, drawDistance, drawRay, onto, type Marks } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, length, scale, three } from "../parts/vec.ts";
@@ -83,6 +83,10 @@ export function drawMotions(d: Drawing, q: Question, answer: Answer, after = tru
     if (after && length(now) > 0) d.arrow(translation, add(translation, now), which, { wide: true });
   }
 }
+/** Draws those bodies of a cast that move, on their way for so long. */
+export function drawWays(d: Drawing, q: Question, duration: number, marks: Marks): void {
+  for (const moving of [q.a, q.b!]) if (moving.linear || moving.angular) drawCast(d, { ...q, a: moving }, duration, marks);
+}
 function drawAnswer(d: Drawing, q: Question, answer: Answer, size: number): void {
   const look = { wide: true }, marks = { look, size: 1.5 * size };
   if (answer.error) return;
@@ -97,7 +101,7 @@ function drawAnswer(d: Drawing, q: Question, answer: Answer, size: number): void
     return d.arrow(q.contact!.point, add(q.contact!.point, scale(q.contact!.normal, size / 4)), "axis", { label: "n" });
   }
   const duration = answer.hit ? answer.t! : (q.duration ?? 1);
-  for (const moving of [q.a, q.b!]) if (moving.linear || moving.angular) drawCast(d, { ...q, a: moving }, duration, marks);
+  drawWays(d, q, duration, marks);
   if (!answer.hit) return;
   onto(d, marks).point!(three(answer.point!), "casts", "contact");
   d.arrow(answer.point!, add(answer.point!, scale(answer.normal!, size / 4)), "axis", look);

@@ -129,7 +129,7 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
     }));
     // A body that is not there any more has no number in this frame, and none of its events.
     const events = world.events().flatMap(({ kind, trigger, a, b }): ContactEvent[] => {
-      const [one, other] = [numbers.get(a.index), numbers.get(b.index)];
+      const [one, other] = [a, b].map(({ index, generation }) => (world.bodyAt(index)?.generation === generation ? numbers.get(index) : undefined));
       return one === undefined || other === undefined ? [] : [{ kind, trigger, a: one, b: other }];
     });
     const deepest = Math.max(0, ...pairs.flatMap((pair) => pair.manifolds.flatMap((m) => m.points.map((p) => -p.distance))));

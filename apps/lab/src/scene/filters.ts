@@ -20,3 +20,8 @@ export function filtersOf(all: NamedFilter[]): (filter: NamedFilter) => SceneBod
     return { category: bits(systems ?? []) || 1, mask: collideWith ? bits(collideWith) : whole - bits(notCollideWith ?? []) };
   };
 }
+
+const hexadecimal = (value: number): string => `0x${value.toString(16)}`;
+/** The parts of a filter in words. A body without one is of the first category, and meets all. */
+export const filterParts = (filter: SceneBody["filter"]): [name: string, value: string][] => [
+  ["category", hexadecimal(filter?.category ?? 1)], ["mask", filter ? hexadecimal(filter.mask) : "all"], ["group", filter?.group ? String(filter.group) : "none"]];

@@ -2,10 +2,10 @@
 // neither moves.
 
 import { graze } from "../graze.ts";
+import { filterParts } from "./filters.ts";
 import type { Scene, SceneBody } from "./model.ts";
 
-type Filter = NonNullable<SceneBody["filter"]>;
-const usual: Filter = { category: 1, mask: 0xffffffff };
+type Filter = SceneBody["filter"];
 const known = new Map<string, boolean>();
 
 /** Whether a world of the library takes two bodies with these filters for a pair. */
@@ -14,7 +14,7 @@ function allowed(a: Filter, b: Filter): boolean {
   if (before !== undefined) return before;
   const world = new graze.World(), ball = new graze.Sphere(1);
   try {
-    for (const filter of [a, b]) world.add({ shape: ball, filter });
+    for (const filter of [a, b]) world.add({ shape: ball, ...(filter ? { filter } : {}) });
     world.update();
     const met = world.contacts().length > 0;
     known.set(key, met);
@@ -24,19 +24,16 @@ function allowed(a: Filter, b: Filter): boolean {
     ball.dispose();
   }
 }
-const bits = (value: number): string => `0x${value.toString(16)}`;
 /** A filter in words: "category 0x1, mask 0x3". */
-export function filterWords(filter: Filter | undefined): string {
-  const { category, group = 0 } = filter ?? usual;
-  return `category ${bits(category)}, mask ${filter ? bits(filter.mask) : "all"}${group ? `, group ${group}` : ""}`;
-}
+const filterWords = (filter: Filter): string =>
+  filterParts(filter).filter(([, value]) => value !== "none").map((part) => part.join(" ")).join(", ");
 
 /** A sentence about two bodies that do not push each other, whatever their distance; null about others. `played`:
  *  whether joints hold. */
 export function unmet({ bodies, joints = [] }: Pick<Scene, "bodies" | "joints">, i: number, j: number, played: boolean): string | null {
   const [a, b] = [bodies[i], bodies[j]];
   if (a.captured || b.captured) return null;
-  if (!allowed(a.filter ?? usual, b.filter ?? usual))
+  if (!allowed(a.filter, b.filter))
     return `The filter excludes this pair: no contact is reported, and nothing is pushed. A has ${filterWords(a.filter)}; B has ${filterWords(b.filter)}.`;
   if (!a.moves && !b.moves) return "Both stand: no contact of theirs is looked for.";
   const trigger = [a, b].find((body) => body.trigger);

@@ -46,3 +46,5 @@ export interface Scene {
 }
 
 export const turned: Vec = [0, 0, 0, 1];
+/** The gravity of a scene that says nothing of it. */
+export const usualGravity: Vec = [0, -9.81, 0];

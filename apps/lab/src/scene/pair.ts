@@ -22,8 +22,8 @@ export interface AskedPair {
   question: Question;
   distance: Answer;
 }
-/** The pair of two selected bodies, computed once for its facts and its drawing; none unless two are selected. `asked` is
- *  the question that the scene was made of. */
+/** The pair of two selected bodies, computed once for its facts and its drawing; none unless two are selected. `asked`
+ *  is the question that the scene was made of. */
 export function askPair(run: Run, [i, j]: number[], asked?: Question): AskedPair | null {
   if (i === undefined || j === undefined) return null;
   const question = questionOf(run, i, j, asked);

@@ -6,7 +6,7 @@ import type { Vec } from "../question.ts";
 import { sorted, type StepEvents } from "./events.ts";
 import { act, Inputs, possible, type Action, type Input, type Pull } from "./inputs.ts";
 import { KeptStates } from "./kept.ts";
-import type { Scene } from "./model.ts";
+import { usualGravity, type Scene } from "./model.ts";
 import { Run, type Stages } from "./run.ts";
 
 const frame = 1 / 60;
@@ -69,8 +69,8 @@ export class Play {
     return this.pulled ?? this.own;
   }
   /** The scene's own gravity. */
-  private get own(): Vec {
-    return this.scene.gravity ?? [0, -9.81, 0];
+  get own(): Vec {
+    return this.scene.gravity ?? usualGravity;
   }
   /** The first step that can be gone back to. */
   get first(): number {

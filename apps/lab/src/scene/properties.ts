@@ -3,11 +3,11 @@
 import { digits, vector } from "../parts/dom.ts";
 import type { Numbers } from "../parts/table.ts";
 import { add, scale } from "../parts/vec.ts";
+import { filterParts } from "./filters.ts";
 import type { SceneBody } from "./model.ts";
 import { keyOf } from "./pairs.ts";
 import type { Pair, Run } from "./run.ts";
 
-const bits = (filter: number): string => `0x${filter.toString(16)}`;
 const kind = ({ moves, trigger, dynamics }: SceneBody): string =>
   trigger ? "trigger" : dynamics?.kinematic ? "kinematic" : moves ? "moves" : "fixed";
 
@@ -31,8 +31,7 @@ export function propertiesOf(run: Run, body: SceneBody, number: number, partners
     ["shape", body.shape.margin ? `${body.shape.type}, rounded by ${body.shape.margin}` : body.shape.type],
     ["kind", kind(body)], ["place", vector(translation, 5)], ["turned", vector(rotation, 4)],
     ...(box ? [["box from", vector(box.lower, 5)], ["box to", vector(box.upper, 5)]] as [string, string][] : []),
-    ...(body.captured ? [] : [["category", bits(body.filter?.category ?? 1)], ["mask", body.filter ? bits(body.filter.mask) : "all"],
-      ["group", body.filter?.group ?? "none"]] as [string, string][]),
+    ...(body.captured ? [] : filterParts(body.filter)),
     ...(motion ? [["sleeps", run.sleeping().has(number) ? "yes" : "no"], ["mass", motion.mass], ["velocity", vector(motion.linear, 4)]] as [string, string | number][] : []),
     ["contact margin", run.margin(number, number)], ["contacts found", when], ...(partners.length === 0 ? [["touches", "nothing"]] as [string, string][] : []),
   ];

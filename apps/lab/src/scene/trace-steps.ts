@@ -1,14 +1,14 @@
 // What the library did to answer a question about the selected bodies, or about what was shot, a step at a time: its own
 // drawing of the trace upon the scene. Which question is explained is chosen.
 
-import { ask, type Answer, type Trace } from "../graze.ts";
-import { drawCast, drawDistance, drawRay, drawTrace, endOf } from "../parts/answers.ts";
+import { ask, bodyAt, type Answer, type Trace } from "../graze.ts";
+import { drawDistance, drawRay, drawTrace, endOf } from "../parts/answers.ts";
 import { digits, h, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { Timeline } from "../parts/timeline.ts";
 import { add, scale } from "../parts/vec.ts";
 import type { Body, Question, Vec } from "../question.ts";
-import { drawMotions } from "./asked.ts";
+import { drawMotions, drawWays } from "./asked.ts";
 import { firstShown, type Explained, type Shown } from "./moment.ts";
 import type { AskedPair } from "./pair.ts";
 import type { Aim, Shot } from "./shots.ts";
@@ -66,9 +66,14 @@ function entered({ ray, a }: Question, { spans = [] }: Trace): TraceStep[] {
     } };
   });
 }
+/** A moving body where it is at time t, for a question about bodies that stand. */
+function stillAt(body: Body, t: number, flat: boolean): Body {
+  const { linear: _, angular: __, ...there } = bodyAt(body, t, flat);
+  return there;
+}
 /** A body, or the head of a ray, as far as it may go without touching. */
 function advanced(question: Question, { steps = [] }: Trace): TraceStep[] {
-  const { a, b, ray } = question;
+  const { a, b, ray } = question, flat = question.dimension === 2;
   return steps.map(({ t, distance, normal }, i) => ({
     words: `Advancement ${i + 1}: ${ray ? "after" : "at"} ${digits(t, 6)} the distance is ${digits(distance, 5)}`, draw(d, size) {
       const look = { wide: true };
@@ -76,10 +81,8 @@ function advanced(question: Question, { steps = [] }: Trace): TraceStep[] {
         const point = add(ray.origin, scale(ray.direction, t / Math.hypot(...ray.direction)));
         return drawRay(d, ray as never, { t, point, normal: asLongAs(normal, ray) } as never, { size, look });
       }
-      drawCast(d, question, t, { look });
-      const { linear, angular: _, ...there } = a, { linear: other, angular: __, ...met } = b!;
-      const moved = (body: Body, by?: Vec): Body => (by ? { ...body, translation: add(body.translation ?? by.map(() => 0), scale(by, t)) } : body);
-      const apart = ask({ query: "distance", ...(question.dimension ? { dimension: question.dimension } : {}), a: moved(there, linear), b: moved(met, other) });
+      drawWays(d, question, t, { look });
+      const apart = ask({ query: "distance", ...(flat ? { dimension: 2 } : {}), a: stillAt(a, t, flat), b: stillAt(b!, t, flat) });
       if (apart.distance! > 0) drawDistance(d, apart, { look });
     } }));
 }

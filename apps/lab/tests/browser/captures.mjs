@@ -253,6 +253,28 @@ test("captures: rays, casts and measures work in a frame, and end with it", asyn
   await page.context().close();
 });
 
+test("captures: an event of a body that is gone is not one of the body that has its number now", async () => {
+  const frames = [], simulation = new graze.Simulation({ capture: (bytes) => frames.push(bytes) }), floor = new graze.HalfSpace(), ball = new graze.Sphere(0.5);
+  simulation.add({ shape: floor, fixed: true });
+  const first = simulation.add({ shape: ball, translation: [0, 0.5, 0] }, { density: 1 });
+  simulation.setName(first, "first");
+  for (let i = 0; i < 3; i++) simulation.step(1 / 60);
+  simulation.remove(first);
+  const second = simulation.add({ shape: ball, translation: [5, 9, 0] }, { density: 1 });
+  simulation.setName(second, "second");
+  assert.equal(second.index, first.index);
+  for (let i = 0; i < 2; i++) simulation.step(1 / 60);
+  for (const made of [simulation, floor, ball]) made.dispose();
+  const page = await scene("shapes");
+  await page.setInputFiles("input[type=file]", { name: "gone.capture", mimeType: "application/octet-stream", buffer: Buffer.concat(frames) });
+  await page.waitForSelector("[data-next]");
+  assert.match(await page.textContent(".events"), /× first: begins|first × .*: begins/);
+  await press(page, "[data-next]", 4);
+  assert.doesNotMatch(await page.textContent(".events"), /second/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("captures: the address of one that is served holds frame, selection, layers and camera; of a scene what was done", async () => {
   // The file grows as a program writes it: two seconds once somebody has looked at the first one.
   let written = 60;

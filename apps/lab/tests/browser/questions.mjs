@@ -40,8 +40,12 @@ test("questions: each is answered in the viewer with the same bits, and drawn; t
     if (question.query !== "contacts")
       for (const place of places(answer)) assert.ok(ends.some((end) => near(place, end)), `${question.query}: nothing at ${place}`);
     else assert.ok((await page.$$(".numbers tbody tr")).length >= places(answer).length);
-    const count = Number((await page.textContent(".trace-steps output")).split(" ")[0]);
+    const { trace } = JSON.parse(query(JSON.stringify({ ...question, explain: true }))), of = (...lists) => lists.reduce((sum, list) => sum + (trace[list] ?? []).length, 0);
+    const count = question.query === "response" ? 3 + (trace.friction ? 1 : 0) : of("spans", "steps", ...(/cast/.test(question.query) ? [] : ["axes", "gjk", "epa", "cuts"]));
+    const told = () => page.textContent(".trace-steps output");
+    assert.match(await told(), count > 0 ? new RegExp(`^${count} steps$`) : /^[^,]+, no steps$/, `${question.query}: ${await told()}`);
     for (let k = 0; k < count; k++) await page.click("[data-trace-next]");
+    if (count > 0) assert.ok((await told()).startsWith(`${count} / ${count}. `), await told());
     if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, `question-${i}-${question.query}.png`) });
     await page.selectOption(".speed", "0.5"); // writes the address
     const again = await visit(await page.evaluate(() => location.hash), small);
@@ -70,6 +74,26 @@ test("questions: the answer follows a body that is moved, and one that is pasted
   assert.ok((await page.textContent(".words")).includes(`after ${short(JSON.parse(query(JSON.stringify(moved))).t, 6)}`));
   assert.deepEqual(page.trouble, []);
   await page.context().close();
+});
+
+test("questions: of bodies that turn on their way the gap is drawn where they are, and both", async () => {
+  const a = { shape: box, linear: [0.5, 0, 0], angular: [0, 0, 2] }, b = { shape: ball, translation: [5, 0.2, 0], linear: [-1, 0, 0] };
+  const flat = { a: { shape: { type: "box", box: { size: [1, 2] } }, linear: [0.5, 0], angular: 2 }, b: { shape: disc, translation: [5, 0.2], linear: [-1, 0] } };
+  for (const question of [{ query: "cast", a, b, duration: 4 }, { query: "cast", dimension: 2, ...flat, duration: 4 }]) {
+    const page = await visit(`#/scene?q=${encodeURIComponent(JSON.stringify(question))}`, small);
+    const { trace } = JSON.parse(query(JSON.stringify({ ...question, explain: true })));
+    // The layer of shots has the same ways up to the hit.
+    await page.click(".legend > summary");
+    await page.uncheck("[data-layer=shots]");
+    for (const { t, distance } of trace.steps.slice(0, 6)) {
+      await page.click("[data-trace-next]");
+      const { lines } = await drawn(page), size = ([p, q]) => Math.hypot(...p.map((x, i) => x - q[i]));
+      assert.ok(lines.some((line) => Math.abs(size(line) - distance) < 1e-5), `no gap of ${distance} at ${t}`);
+      if (t > 0) assert.ok(lines.some((line) => near([5, 0.2, 0], line[0]) && near([5 - t, 0.2, 0], line[1])), `B has no way at ${t}`);
+    }
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
 });
 
 test("questions: an address with a broken one says what is wrong", async () => {
