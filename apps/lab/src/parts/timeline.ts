@@ -14,8 +14,8 @@ export class Scrub {
   readonly slider: HTMLInputElement;
   readonly where: HTMLElement;
 
-  /** `onScrub`: called with the step that was chosen, `onDone` once somebody let it go. `spoken`: whether a screen reader
-   *  says each change of the words, which is too much where they change with every picture. */
+  /** `onScrub`: called with the step that was chosen, `onDone` once somebody let it go. `spoken`: whether a screen
+   *  reader says each change of the words, which is too much where they change with every picture. */
   constructor(word: string, spoken: boolean, onScrub: (step: number) => void, onDone: () => void = () => {}) {
     this.where = h(spoken ? "output" : "span", { class: "where" });
     this.slider = h("input", { type: "range", min: 0, max: 0, step: 1, "aria-label": `Which ${word}`,

@@ -62,7 +62,7 @@ export class SceneRoom implements Room {
   /** Whether somebody aimed later than they selected: the words are about that then. */
   private aimed = false;
   private draws = 0;
-  /** The part that is too long for the address: it holds everything else. */
+  /** The part that is too long for the address: without its scene it holds nothing, without its run everything else. */
   private tooLong: "scene" | "run" | null = null;
   private drawTime = 0;
   private readonly source: Source;
@@ -202,7 +202,7 @@ export class SceneRoom implements Room {
     }
     if (this.tooLong === null) this.writeMoment(values);
     const { camera } = this.stage;
-    if (camera) values.view = cameraText(camera);
+    if (camera && this.tooLong !== "scene") values.view = cameraText(camera);
     history.replaceState(null, "", address("/scene", values));
   }
   /** Adds the moment to the values of an address, without its run if that is too long. */

@@ -1,5 +1,5 @@
-// A question of the protocol as a scene: its bodies, and everything else that it says, answered anew wherever the bodies
-// are.
+// A question of the protocol as a scene: its bodies, and everything else that it says, answered anew wherever the
+// bodies are.
 
 import { ask, type Answer } from "../graze.ts";
 import { drawCast, drawDistance, drawRay, onto, type Marks } from "../parts/answers.ts";

@@ -3,7 +3,8 @@
 import type { graze } from "../graze.ts";
 import type { Body, Question, Shape, Vec } from "../question.ts";
 
-/** Poses and velocities are those of space in the plane too, with z = 0 and turns about Z. Velocities are of the origin. */
+/** Poses and velocities are those of space in the plane too, with z = 0 and turns about Z. Velocities are of the
+ *  origin. */
 export interface SceneBody extends Body {
   name: string;
   shape: Shape;

@@ -22,8 +22,8 @@ function touching({ name, pair }: Partner): Numbers["rows"] {
   return [{ cells: ["touches", points.length > 0 ? name : `${name}, without a point`], key },
     ...points.map(({ a, b, distance }, k) => ({ cells: [`point ${k + 1}`, `${vector(scale(add(a, b), 0.5), 4)}, ${distance > 0 ? "apart" : "deep"} ${digits(Math.abs(distance), 3)}`], key }))];
 }
-/** The rows: shape, place, box, margin, filter, motion, and the bodies that it touches with their points. `when` says at
- *  which poses those were found. */
+/** The rows: shape, place, box, margin, filter, motion, and the bodies that it touches with their points. `when` says
+ *  at which poses those were found. */
 export function propertiesOf(run: Run, body: SceneBody, number: number, partners: Partner[], when: string): Numbers {
   const { translation, rotation } = run.place(number), motion = run.motion(number);
   const box = body.shape.type === "plane" ? null : run.bounds(number, true);

@@ -1,4 +1,4 @@
-// What the library did to answer a question about the selected bodies, or about what was shot, a step at a time: its own
+// The work of the library for an answer about the selected bodies, or about what was shot, a step at a time: its own
 // drawing of the trace upon the scene. Which question is explained is chosen.
 
 import { ask, bodyAt, type Answer, type Trace } from "../graze.ts";
