@@ -301,6 +301,7 @@ test("time: a run is gone through by a slider, back and forward to the same bits
     if (i % 10 === 9) poses.push((await shown(page)).poses);
   }
   assert.equal(await page.textContent("[data-fold=time] .where"), "40 / 40");
+  assert.equal(await page.$("[data-fold=time] output"), null, "a screen reader says every step of a run");
   for (const k of [0, 2, 1, 3, 0]) {
     await scrub(page, 10 * (k + 1));
     const now = await shown(page);
@@ -317,6 +318,8 @@ test("time: a run is gone through by a slider, back and forward to the same bits
 
 test("time: a run is saved as a capture, which comes to the same bits", async () => {
   const page = await scene("heavy");
+  await page.click("[data-save]");
+  assert.match(await page.textContent(".counter[aria-live]"), /Nothing was played yet/);
   await press(page, "[data-step]", 10);
   await set(page, '[aria-label^="Gravity along X"]', 3);
   await press(page, "[data-step]", 10);
