@@ -32,7 +32,8 @@ struct WorldSettings {
   std::function<bool(BodyId, BodyId)> allow = nullptr;
   /// Largest number of contact points of a pair of bodies, which bounds the work of a solver: the points that `reduce`
   /// of its manifolds keeps. Impulses are carried over to the points that are kept again in the next update. By default
-  /// a pair keeps all of its points. Costs so many times the points of a pair that has more.
+  /// a pair keeps all of its points; with 0 none, and the world knows only what touches. Costs so many times the points
+  /// of a pair that has more.
   std::optional<std::size_t> points_per_pair = std::nullopt;
 };
 
@@ -48,8 +49,7 @@ class GRAZE_API World {
   using Velocity = typename Space::Velocity;
 
  public:
-  /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`, and for pairs
-  /// of at most 0 points.
+  /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
   explicit World(WorldSettings<T> settings = {}, Executor* executor = nullptr)
       : settings_(std::move(settings)),
         executor_(executor ? executor : &serial_),

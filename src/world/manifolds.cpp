@@ -20,11 +20,6 @@ constexpr std::size_t few_pairs = 4096;
 }  // namespace
 
 template <class T, class Space>
-ManifoldFinder<T, Space>::ManifoldFinder(std::size_t points_per_pair) : points_per_pair_(points_per_pair) {
-  if (points_per_pair == 0) validate::fail("points_per_pair", "a number >= 1", "0");
-}
-
-template <class T, class Space>
 void ManifoldFinder<T, Space>::look_at(const BodyArrays<T, Space>& bodies, std::uint32_t i) {
   const Shape& shape = bodies.shapes()[i];
   const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;

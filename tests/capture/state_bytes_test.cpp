@@ -34,13 +34,10 @@ void fill_plane(plane::Simulation<T>& s) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> draw(-2, 2);
   std::vector<BodyId> ids;
-  const auto shape = [](int i) -> plane::Shape<T> {
-    if (i % 2 == 0) return plane::Circle<T>(T(0.3));
-    return plane::Box<T>({T(0.5), T(0.6)});
-  };
-  for (int i = 0; i < 20; ++i) {
-    plane::Body<T> body{shape(i)};
-    body.pose.translation = {T(draw(random)), T(1 + 0.7 * i)};
+  const std::vector<plane::Shape<T>> shapes{plane::Circle<T>(T(0.3)), plane::Box<T>({T(0.5), T(0.6)})};
+  for (std::size_t i = 0; i < 20; ++i) {
+    plane::Body<T> body{shapes[i % 2]};
+    body.pose.translation = {T(draw(random)), T(1 + 0.7 * double(i))};
     ids.push_back(s.add(body));
   }
   Joint<T, plane::Space<T>> joint;

@@ -1,4 +1,4 @@
-// docs/capture.md: the file that a captured simulation leaves is one that plays again.
+// docs/capture.md: the file that a captured simulation leaves is one that plays again, and a state goes on from bytes.
 #include "capture_includes.inc"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 
 #include "graze/capture.hpp"
 #include "graze/shape/box.hpp"
+#include "graze/state_bytes.hpp"
 
 TEST(Pages, ACapturedSimulationLeavesAFileThatPlaysAgain) {
   const std::filesystem::path before = std::filesystem::current_path();
@@ -24,4 +25,12 @@ TEST(Pages, ACapturedSimulationLeavesAFileThatPlaysAgain) {
   std::filesystem::current_path(before);
   EXPECT_FALSE(report.difference);
   EXPECT_EQ(report.frames, 1u);
+}
+
+TEST(Pages, AStateGoesOnFromItsBytes) {
+  graze::Simulation<double> simulation, again;
+  for (graze::Simulation<double>* s : {&simulation, &again}) s->add({graze::Box<double>({1, 1, 1}), {}});
+  simulation.step(1.0 / 60);
+#include "capture_2.inc"
+  EXPECT_EQ(again.state_hash(), simulation.state_hash());
 }

@@ -78,9 +78,8 @@ class GRAZE_API ManifoldFinder {
  public:
   static constexpr std::size_t all_points = (std::numeric_limits<std::size_t>::max)();  ///< no limit on a pair's points
 
-  /// A finder that keeps at most so many points of a pair, chosen as by `reduce` of its manifolds. Throws
-  /// `InvalidValue` for none.
-  explicit ManifoldFinder(std::size_t points_per_pair = all_points);
+  /// A finder that keeps at most so many points of a pair, chosen as by `reduce` of its manifolds.
+  explicit ManifoldFinder(std::size_t points_per_pair = all_points) : points_per_pair_(points_per_pair) {}
 
   /// Finds the contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is
   /// only tested for overlap, and has no manifolds. Nothing is done where no body changed and the pairs are the same.
