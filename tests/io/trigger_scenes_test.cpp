@@ -52,7 +52,7 @@ TEST(TriggerScenes, FollowTheirAnimation) {
   scene.put_below(pair, scene.node("left", {{"collider", geometry_of(cube)}}, {-1, 0, 0}));
   scene.put_below(pair,
                   scene.node("right", with({{"collider", geometry_of(cube)}}, "physicsMaterial", smooth), {1, 0, 0}));
-  scene.animate(gate, {0, 3, 5}, {-9, 0.6, 0, -6, 0.6, 0, 6, 0.6, 0});
+  scene.animate(gate, {0, 3, 5}, {-9, 0.6f, 0, -6, 0.6f, 0, 6, 0.6f, 0});
   const Played played(scene, 5);
   EXPECT_EQ(told(played.scene, played.summary), (Lines{"+gate pair", "-gate pair"}));
   // At 6 m/s from three seconds on: from 2 m before the middle to 2 m behind it.
@@ -72,7 +72,7 @@ TEST(TriggerScenes, AJumpFromPartToPartIsNoEvent) {
   scene.put_below(pair, scene.node("left", {{"collider", geometry_of(cube)}}, {-2, 0, 0}));
   scene.put_below(pair,
                   scene.node("right", with({{"collider", geometry_of(cube)}}, "physicsMaterial", smooth), {2, 0, 0}));
-  scene.animate(gate, {0, 1, 1.001}, {-2, 0, 0, -2, 0, 0, 2, 0, 0});
+  scene.animate(gate, {0, 1, 1.001f}, {-2, 0, 0, -2, 0, 0, 2, 0, 0});
   const Played played(scene, 2);
   EXPECT_EQ(told(played.scene, played.summary), (Lines{"+gate pair"}));
 }
