@@ -52,7 +52,7 @@ export function copied(core, bytes) {
 }
 
 /** The bytes that the module writes while `write(function, key)` calls it with these two. */
-export function written(core, write) {
+export function bytesWritten(core, write) {
   let all = null;
   const key = core.keep((bytes) => (all = bytes));
   try {

@@ -1,6 +1,6 @@
 // Bodies that fall, collide, rest and are tied together; and the response to one blow.
 
-import { copied, created, written } from "./capture.js";
+import { bytesWritten, copied, created } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
@@ -90,7 +90,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     }
     bytes() {
       const from = Handle.pointer(this, "state", State);
-      return core.frame(() => written(core, (write, key) => core.call(`${prefix}state_bytes`, from, write, key)));
+      return core.frame(() => bytesWritten(core, (write, key) => core.call(`${prefix}state_bytes`, from, write, key)));
     }
   }
 
