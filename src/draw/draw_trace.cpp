@@ -93,10 +93,10 @@ void draw(DebugDraw& on, const TraceAxis& axis, bool decides) {
 
 void draw(DebugDraw& on, const TraceSpan& span, const Ray<double>& ray, bool decides) {
   if (!on.wants(layer)) return;
-  const Vec3d way = normalized(ray.direction, Vec3d{});
-  const double middle = dot(way, on.area().center - ray.origin);
   if (!(span.enter <= span.leave)) return;
   // An open end lies at the edge of the area, or as far beyond the other end.
+  const Vec3d way = normalized(ray.direction, Vec3d{});
+  const double middle = dot(way, on.area().center - ray.origin);
   const double size = on.area().size;
   const double enter = std::isfinite(span.enter) ? span.enter : std::min(middle, span.leave) - size;
   const double leave = std::isfinite(span.leave) ? span.leave : std::max(middle, enter) + size;

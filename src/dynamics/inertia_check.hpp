@@ -1,4 +1,6 @@
 // Moments of inertia that no body has.
+//
+// Guarantee: three that some body has are accepted, however they were rounded.
 #pragma once
 
 #include <cmath>

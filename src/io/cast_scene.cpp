@@ -34,23 +34,18 @@ plane::Vec2d place_in(InPlane<double>, const Vec3d& v) { return {v.x, v.y}; }
 bool is_half_space(const Shaped& shape) { return shape.as<HalfSpace<double>>() != nullptr; }
 bool is_half_space(const plane::Shaped& shape) { return shape.as<plane::HalfPlane<double>>() != nullptr; }
 
+/// Makes a body of the collider at `place` turn about `pivot`: as the one child of a compound whose origin lies there.
 template <class T>
-Placed<T> as_child(const Shape<T>& shape, const Posed& local, const Posed& pose) {
-  return {Compound<T>(std::vector<Placed<T>>{{shape, converted<T>(local)}}), converted<T>(pose)};
+void turn_about(graze::Body<T>& body, Posed place, const Vec3d& pivot) {
+  place.translation = place.translation - pivot;
+  body.shape = Compound<T>(std::vector<Placed<T>>{{body.shape, converted<T>(place)}});
+  body.pose = {converted<T>(pivot), {}};
 }
 template <class T>
-plane::Placed<T> as_child(const plane::Shape<T>& shape, const plane::Pose2d& local, const plane::Pose2d& pose) {
-  return {plane::Compound<T>(std::vector<plane::Placed<T>>{{shape, plane::converted<T>(local)}}),
-          plane::converted<T>(pose)};
-}
-
-/// A body for a cast: its shape, and the pose whose origin it turns about.
-template <class T, template <class> class In, class AnyCollider>
-auto turning_about(const AnyCollider& collider, const Mover& mover) {
-  const auto pivot = place_in(In<double>{}, mover.pivot);
-  auto local = collider.pose;
-  local.translation = local.translation - pivot;
-  return as_child<T>(in_precision<T>(collider.shape), local, {pivot, {}});
+void turn_about(plane::Body<T>& body, plane::Pose2d place, const plane::Vec2d& pivot) {
+  place.translation = place.translation - pivot;
+  body.shape = plane::Compound<T>(std::vector<plane::Placed<T>>{{body.shape, plane::converted<T>(place)}});
+  body.pose = {plane::converted<T>(pivot), {}};
 }
 
 template <class T, template <class> class In, class AnyScene>
@@ -58,15 +53,14 @@ std::vector<SceneHit> cast_in(const AnyScene& scene, const SceneCast& question, 
   const auto velocity = velocity_in<T>(In<T>{}, question.velocity);
   const T duration = validate::extent(static_cast<T>(question.duration), "duration");
   validate::point(converted<T>(mover.pivot), "about");
+  const auto pivot = place_in(In<double>{}, mover.pivot);
   const bool spins = question.velocity.angular != Vec3d{};
   std::vector<SceneHit> hits;
   for (const std::uint32_t i : mover.colliders) {
     const auto& own = scene.colliders[i];
     if (spins && is_half_space(own.shape)) throw InvalidValue(own.name, "no spin of a half-space", "one");
-    const bool turns = spins && !(own.pose.translation == place_in(In<double>{}, mover.pivot));
-    const auto still = in_world<T>(scene, own, false);
-    const auto body =
-        turns ? turning_about<T, In>(own, mover) : decltype(turning_about<T, In>(own, mover)){still.shape, still.pose};
+    auto body = in_world<T>(scene, own, false);
+    if (spins && !(own.pose.translation == pivot)) turn_about(body, own.pose, pivot);
     for (std::uint32_t j = 0; j < scene.colliders.size(); ++j) {
       const auto& other = scene.colliders[j];
       if (other.trigger || other.body == own.body || !may_collide(own.filter, other.filter)) continue;

@@ -113,7 +113,7 @@ class BlowScene {
   Vec3d ground_direction() const { return normalized(cross(toward_, blow_.contact.normal)); }
   Polygons polygons(bool b) const { return bodies_.polygons(b, 0, point(), 0.7 * size_); }
 
-  /// What the picture shows of a body: its shape, or its centre; nothing of the ground.
+  /// The part of a body that the picture shows: its shape, or its centre; nothing of the ground.
   Polygons seen(bool b) const {
     if (bodies_.has(b)) return polygons(b);
     Polygons dot;

@@ -14,7 +14,7 @@
 
 namespace graze::io {
 
-/// What is inside each trigger, from the events of a world's updates.
+/// Follows the events of a world's updates, and knows by them which bodies are inside each trigger.
 class TriggerWatch {
  public:
   /// Records that a body of the simulation is a trigger: the collider of that index in the scene.

@@ -18,8 +18,8 @@ constexpr double closest_error = double(tolerance<T>);
 template <>
 constexpr double closest_error<float> = 4e-6;
 
-/// Asks for the nearest points of many; `expected(p)` is the signed distance of a point. `pieces`: where pieces that are
-/// rounded lie over each other, the surface is that of the piece in which the point is deepest.
+/// Asks for the nearest points of many; `expected(p)` is the signed distance of a point. `pieces`: where rounded pieces
+/// lie over each other, the surface is that of the piece in which the point is deepest.
 template <class T, class F>
 void expect_closest(const Shape<T>& shape, const Pose2<T>& pose, double scale, std::mt19937& random, const F& expected,
                     bool pieces = false) {

@@ -13,7 +13,8 @@ TYPED_TEST_SUITE(PlaneManyVertices, ManyVertexScalars);
 
 constexpr std::size_t vertex_count = 10000;
 
-/// How far an answer may be off, relative to a size of one: a distance and the place of a ray's hit, and that of a cast.
+/// The error that an answer may have, relative to a size of one: of a distance and the place of a ray's hit, and of the
+/// place of a cast.
 template <class T>
 constexpr Wide far_off = 1e-10L;
 template <>

@@ -49,8 +49,8 @@ GRAZE_API Mover find_mover(const Scene& scene, const SceneCast& question);
 /// The first hits of all pairs of colliders, in the order of time. Throws `InvalidValue` as `find_mover` does, and for
 /// a half-space that is to spin.
 GRAZE_API std::vector<SceneHit> cast_scene(const Scene& scene, const SceneCast& question);
-/// The same in a scene of the plane: the question's vectors lie in it, its spin is about z, and the answer's vectors
-/// have z = 0. Throws `InvalidValue` for a question that leaves the plane, too.
+/// First hits in a scene of the plane: the question's vectors lie in it, its spin is about z, and the answer's vectors
+/// have z = 0. Throws `InvalidValue` as in space, and for a question that leaves the plane.
 GRAZE_API std::vector<SceneHit> cast_scene(const PlaneScene& scene, const SceneCast& question);
 
 /// Writes the scene with the cast drawn into it, as a binary glTF file: the path of the mover as a rod with translucent
