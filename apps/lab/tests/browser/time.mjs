@@ -188,6 +188,8 @@ test("time: the address leaves out what it cannot hold, and says so", async () =
   const page = await scene("heavy");
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   const copied = async () => {
+    // The words of the last copy would be taken for those of this one.
+    await page.evaluate(() => (document.querySelector(".counter[aria-live]").textContent = ""));
     await page.click("[data-permalink]");
     await page.waitForFunction(() => /Copied/.test(document.querySelector(".counter[aria-live]").textContent));
     return page.textContent(".counter[aria-live]");
