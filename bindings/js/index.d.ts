@@ -1559,3 +1559,7 @@ export interface DrawnElement {
 /** The scene that an `<svg>` element draws, read as `graze collide` reads a drawing. Throws `InvalidValue` that names
  * the element. graze/double alone. */
 export function planeScene(svg: DrawnElement): PlaneScene;
+/** The mesh of an OBJ, PLY (text or binary) or STL file (text or binary), with the triangles that `graze collide` reads:
+ * polygons are cut into triangles, points at one place are one. Throws `InvalidValue` that names the line or the place
+ * in the file. graze/double alone. Cost n log n. */
+export function meshOfFile(bytes: Uint8Array, format: "obj" | "ply" | "stl"): Shape;

@@ -6,16 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "graze/shape.hpp"
 #include "io/gltf_accessor.hpp"
 #include "io/json_value.hpp"
+#include "io/triangle_soup.hpp"
 
 namespace graze::io {
-
-struct TriangleSoup {
-  std::vector<Vec3d> points;
-  std::vector<Mesh<double>::Index> triangles;
-};
 
 class GltfDocument {
  public:

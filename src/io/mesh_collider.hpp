@@ -2,7 +2,7 @@
 #pragma once
 
 #include "graze/io/scene.hpp"
-#include "io/gltf_document.hpp"
+#include "io/triangle_soup.hpp"
 
 namespace graze::io {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "io/gltf_document.hpp"
+#include "io/triangle_soup.hpp"
 
 namespace graze::io {
 

@@ -1,7 +1,6 @@
 #include "io/stl_file.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -21,6 +20,12 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<unsigned char>(bytes[at + i]);
   return word;
 }
+double number_at(std::string_view bytes, std::size_t at) {
+  const std::uint32_t word = word_at(bytes, at);
+  float number;
+  std::memcpy(&number, &word, sizeof number);  // not every standard library has `std::bit_cast`
+  return static_cast<double>(number);
+}
 
 void add_triangle(const std::array<Vec3d, 3>& corners, TriangleSoup& soup) {
   const auto first = static_cast<std::uint32_t>(soup.points.size());
@@ -34,8 +39,7 @@ TriangleSoup read_binary(std::string_view bytes, std::uint32_t count) {
     std::array<Vec3d, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t at = header_size + i * triangle_size + first_point + k * point_size;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        corners[k][axis] = static_cast<double>(std::bit_cast<float>(word_at(bytes, at + 4 * axis)));
+      for (std::size_t axis = 0; axis < 3; ++axis) corners[k][axis] = number_at(bytes, at + 4 * axis);
       validate::point(corners[k], "triangles[" + std::to_string(i) + "][" + std::to_string(k) + "]");
     }
     add_triangle(corners, soup);

@@ -197,6 +197,37 @@ test("a drawing is read as a scene of the plane", () => {
   assert.throws(() => double.planeScene(element("svg", {}, deep)), { name: "InvalidValue" });
 });
 
+/** The triangles of a mesh as their corners. */
+const cornersOf = (shape) => {
+  const { points, triangles } = double.protocolShape(shape).mesh;
+  shape.dispose();
+  return triangles.map((t) => t.map((i) => points[i]));
+};
+
+test("mesh files are read, whatever their polygons", () => {
+  const bytes = (text) => new TextEncoder().encode(text);
+  // An arrow's head: a fan from its first corner would lie over the notch.
+  const places = [[0, 0, 0], [2, 2, 0], [0, 0.5, 0], [-2, 2, 0]];
+  const obj = bytes(`${places.map((p) => `v ${p.join(" ")}`).join("\n")}\nf 2 3 4 1\n`);
+  const ply = bytes(`ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n` +
+    `element face 1\nproperty list uchar int vertex_indices\nend_header\n${places.map((p) => p.join(" ")).join("\n")}\n4 1 2 3 0\n`);
+  const area = (triangles) => triangles.reduce((sum, [p, q, r]) =>
+    sum + Math.abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2, 0);
+  for (const [file, format] of [[obj, "obj"], [ply, "ply"]]) {
+    const triangles = cornersOf(double.meshOfFile(file, format));
+    assert.equal(triangles.length, 2);
+    assert.equal(area(triangles), 1);
+  }
+  const stl = bytes("solid one\nfacet normal 0 0 1\nouter loop\nvertex 0.1 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid one\n");
+  assert.deepEqual(cornersOf(double.meshOfFile(stl, "stl")), [[[0.1, 0, 0], [1, 0, 0], [0, 1, 0]]]);
+  const refused = (file, format, message) => assert.throws(() => double.meshOfFile(file, format), { name: "InvalidValue", message });
+  refused(bytes("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3x\n"), "obj", /line 4/);
+  refused(ply.slice(0, -4), "ply", /expected/);
+  refused(bytes("# nothing"), "obj", /expected a mesh with triangles/);
+  refused(obj, "gltf", 'format: expected "obj", "ply" or "stl", got "gltf"');
+  refused("v 0 0 0", "obj", "bytes: expected a Uint8Array");
+});
+
 test("a run of JavaScript is captured", async () => {
   const plane = graze.plane;
   const ball = (library) => (library === plane ? new plane.Circle(0.5) : new graze.Sphere(0.5));
@@ -293,9 +324,9 @@ test("every export is declared, and every declaration exported", async () => {
   const inPlane = [...declarations.matchAll(/^  (?:class|function|const) (\w+)/gm)].map((m) => m[1]);
   const plane = Object.keys(double.plane);
   assert.deepEqual(plane.sort(), [...new Set(inPlane)].sort());
-  assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain", "planeScene", "shapeOfProtocol"].includes(name)));
+  assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain", "meshOfFile", "planeScene", "shapeOfProtocol"].includes(name)));
   const only = [
-    "query", "explain", "planeScene", "hullLayers", "protocolShape", "shapeOfProtocol", "traced", "draw", "tessellate", "captureHead", "replay", "response", "applyImpulse",
+    "query", "explain", "meshOfFile", "planeScene", "hullLayers", "protocolShape", "shapeOfProtocol", "traced", "draw", "tessellate", "captureHead", "replay", "response", "applyImpulse",
     "passOn", "freeBody", "advance", "angularVelocity", "Simulation", "State", "plane"];
   assert.deepEqual(Object.keys(queries).sort(), declared.filter((name) => !only.includes(name)));
 });

@@ -5,7 +5,7 @@ import {
   advance, alongPlanes, angularVelocity, applyImpulse, Box, BroadPhase, Capsule, captureHead, cast, castAll, castBatch, closest,
   closestBatch, compactContactsBatch, Compound, contactMargin, contacts, contactsBatch, ConvexHull, Cylinder, distance,
   distanceBatch, distanceUpTo, draw, Ellipsoid, explain, featureCorners, freeBody, HalfSpace, Handle, HeightField, hullLayers,
-  init, InvalidValue, mayOverlap, memoryInUse, Mesh, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch,
+  init, InvalidValue, mayOverlap, memoryInUse, Mesh, meshOfFile, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch,
   PairChanges, passOn, plane, planeScene, poseAt, protocolShape, query, raycast, raycastAll, raycastAny, raycastBatch, Rectangle,
   replay, response, Segment, Shape, shapeOfProtocol, Simulation, Sphere, State, tessellate, traced, Triangle, turned, UserConvex, version, within, World,
 } from "graze/double";
@@ -159,6 +159,7 @@ const drawing: DrawnElement = {
   children: [{ localName: "circle", attributes: [{ name: "r", value: "1" }], children: [] }] };
 const scene: PlaneScene = planeScene(drawing);
 expect(scene.bodies.length === 1, "a circle");
+kept(meshOfFile(new TextEncoder().encode("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "obj"));
 
 // Worlds.
 const kind: BroadPhaseKind = "sortAndSweep";

@@ -40,3 +40,17 @@ export function planeScene(root) {
   if (error !== undefined) throw new InvalidValue(error);
   return scene;
 }
+
+const meshFormats = ["obj", "ply", "stl"];
+export function meshOfFile(bytes, format) {
+  if (!(bytes instanceof Uint8Array)) throw new InvalidValue("bytes: expected a Uint8Array");
+  const kind = meshFormats.indexOf(format);
+  if (kind < 0) throw new InvalidValue(`format: expected "obj", "ply" or "stl", got ${JSON.stringify(format)}`);
+  const pointer = core.frame(() => {
+    const [place, shape] = [core.room(Math.max(1, bytes.length)), core.room(4)];
+    new Uint8Array(core.memory().buffer).set(bytes, place);
+    core.check(core.exports.graze_js_mesh_of_file_d(place, bytes.length, kind, shape));
+    return core.data.getUint32(shape, true);
+  });
+  return new Shape(pointer);
+}

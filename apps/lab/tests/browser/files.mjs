@@ -5,6 +5,38 @@ import { join } from "node:path";
 import { drawn, files, lightsUp, looks, press, scene } from "./scene-page.mjs";
 import { drag, frame, graze, query, shown, test, visit } from "./harness.mjs";
 
+test("viewer: meshes of files have the triangles that the library reads", async () => {
+  const page = await scene("shapes");
+  const corners = [[0, 0, 0], [2, 2, 0], [0, 0.5, 0], [-2, 2, 0], [0, 1, 1]];
+  const head = (kind) => `ply\nformat ${kind} 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n`;
+  // A notched quadrilateral and a triangle, as text and as bytes; three triangles in all.
+  const text = Buffer.from(`${head("ascii")}${corners.map((p) => p.join(" ")).join("\n")}\n4 1 2 3 0\n3 0 1 4\n`);
+  const bytes = Buffer.alloc(5 * 24 + 17 + 13);
+  corners.flat().forEach((x, i) => bytes.writeDoubleLE(x, 8 * i));
+  let at = 5 * 24;
+  for (const face of [[1, 2, 3, 0], [0, 1, 4]]) {
+    at = bytes.writeUInt8(face.length, at);
+    for (const i of face) at = bytes.writeInt32LE(i, at);
+  }
+  const stl = Buffer.alloc(84 + 50);
+  stl.writeUInt32LE(1, 80);
+  [0.1, 0, 0, 1, 0, 0, 0, 1, 0].forEach((x, i) => stl.writeFloatLE(x, 84 + 12 + 4 * i));
+  for (const [name, buffer] of [["text.ply", text], ["bytes.ply", Buffer.concat([Buffer.from(head("binary_little_endian")), bytes])], ["one.stl", stl],
+    ["two.obj", Buffer.from("o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no two\nv 0 0 0.1\nf 1 2 4\n")]]) {
+    await page.setInputFiles("input[type=file]", { name, mimeType: "application/octet-stream", buffer });
+    await page.waitForFunction((title) => window.lab.scene.name === title, name);
+    const mesh = graze.meshOfFile(buffer, name.slice(-3)), { shape } = await page.evaluate(() => window.lab.scene.bodies[0]);
+    assert.deepEqual(shape, graze.protocolShape(mesh), name);
+    mesh.dispose();
+  }
+  for (const [name, buffer, fault] of [["cut.ply", text.subarray(0, -4), /cut.ply: /], ["word.obj", Buffer.from("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3x\n"), /word.obj: line 4/]]) {
+    await page.setInputFiles("input[type=file]", { name, mimeType: "application/octet-stream", buffer });
+    await page.waitForFunction((title) => document.querySelector(".trouble:not([hidden])")?.textContent.includes(title), name);
+    assert.match(await page.textContent(".trouble"), fault);
+  }
+  await page.context().close();
+});
+
 test("viewer: opens the project's scenes, and says what is wrong with a broken file", async () => {
   const page = await scene("shapes");
   const open = async (file) => {
