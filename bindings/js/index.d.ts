@@ -573,7 +573,7 @@ export const draw: {
   /** Bodies, bounds, the tree, and the contacts of the last update. */
   world(world: WorldQueries, renderer: Renderer): void;
   /** A simulation: its world with sleeping bodies marked, and joints. */
-  simulation(simulation: Simulation, renderer: Renderer): void;
+  simulation(simulation: SimulationQueries, renderer: Renderer): void;
   /** The area of a renderer that shows all of a world. */
   area(world: WorldQueries): { center: number[]; size: number };
   /** The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255. */
@@ -837,6 +837,8 @@ export interface WorldQueries {
   /** The handle of the body that has the index, or null. */
   bodyAt(index: number): BodyId | null;
   pose(id: BodyId): Pose;
+  /** The body as it is now, with a share of its shape, to be disposed of. */
+  body(id: BodyId): Required<Body>;
   /** A share of the body's shape, to be disposed of. */
   shape(id: BodyId): Shape;
   /** All poses by index, seven numbers each, without a copy: valid until the next call. */
@@ -866,6 +868,7 @@ export interface WorldQueries {
   memory(): number;
 }
 export class World extends Handle implements WorldQueries {
+  body(id: BodyId): Required<Body>;
   shape(id: BodyId): Shape;
   constructor(settings?: WorldSettings);
   add(body: Body): BodyId;
@@ -1000,33 +1003,8 @@ export interface StepReport {
   continuousMs: number;
   wholeMs: number;
 }
-/** The state of a simulation, to go back to. */
-export class State extends Handle {
-  private constructor();
-  /** The state whose `bytes` these are; throws InvalidValue for others, and for those of the other scalar. */
-  static fromBytes(bytes: Uint8Array | ArrayBuffer): State;
-  /** The state as bytes, for a file or another computer; throws InvalidValue for one of a captured simulation. */
-  bytes(): Uint8Array;
-}
-export class Simulation extends Handle {
-  constructor(settings?: SimulationSettings);
-  add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
-  remove(id: BodyId): void;
-  addJoint(joint: Joint): JointId;
-  removeJoint(id: JointId): void;
-  step(dt: number): void;
-  applyImpulse(id: BodyId, impulse: Vec3Like, point: Vec3Like): void;
-  applyAngularImpulse(id: BodyId, impulse: Vec3Like): void;
-  applyForce(id: BodyId, force: Vec3Like): void;
-  applyTorque(id: BodyId, torque: Vec3Like): void;
-  setVelocity(id: BodyId, velocity: { linear?: Vec3Like; angular?: Vec3Like }): void;
-  setPose(id: BodyId, pose: PoseLike): void;
-  moveTo(id: BodyId, pose: PoseLike, dt: number): void;
-  setMaterial(id: BodyId, material: Material): void;
-  setGravity(gravity: Vec3Like): void;
-  /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
-  setName(id: BodyId, name: string): void;
-  wake(id: BodyId): void;
+/** Bodies that move, and queries of them; also in a replay. */
+export interface SimulationQueries {
   pose(id: BodyId): Pose;
   /** All poses by index, seven numbers each, without a copy: valid until the next call. */
   poses(): Scalars;
@@ -1047,6 +1025,35 @@ export class Simulation extends Handle {
   readonly world: WorldQueries;
   /** A hash of all bits that the next step depends on: equal runs have equal hashes, also after `restore`. */
   stateHash(): bigint;
+}
+/** The state of a simulation, to go back to. */
+export class State extends Handle {
+  private constructor();
+  /** The state whose `bytes` these are; throws InvalidValue for others, and for those of the other scalar. */
+  static fromBytes(bytes: Uint8Array | ArrayBuffer): State;
+  /** The state as bytes, for a file or another computer; throws InvalidValue for one of a captured simulation. */
+  bytes(): Uint8Array;
+}
+export interface Simulation extends SimulationQueries {}
+export class Simulation extends Handle {
+  constructor(settings?: SimulationSettings);
+  add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
+  remove(id: BodyId): void;
+  addJoint(joint: Joint): JointId;
+  removeJoint(id: JointId): void;
+  step(dt: number): void;
+  applyImpulse(id: BodyId, impulse: Vec3Like, point: Vec3Like): void;
+  applyAngularImpulse(id: BodyId, impulse: Vec3Like): void;
+  applyForce(id: BodyId, force: Vec3Like): void;
+  applyTorque(id: BodyId, torque: Vec3Like): void;
+  setVelocity(id: BodyId, velocity: { linear?: Vec3Like; angular?: Vec3Like }): void;
+  setPose(id: BodyId, pose: PoseLike): void;
+  moveTo(id: BodyId, pose: PoseLike, dt: number): void;
+  setMaterial(id: BodyId, material: Material): void;
+  setGravity(gravity: Vec3Like): void;
+  /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
+  setName(id: BodyId, name: string): void;
+  wake(id: BodyId): void;
   save(): State;
   /** Goes back, or on from a state of another simulation with the same bodies and joints, added in the same order. */
   restore(state: State): void;
@@ -1265,6 +1272,8 @@ export declare namespace plane {
     contains(id: BodyId): boolean;
     bodyAt(index: number): BodyId | null;
     pose(id: BodyId): Pose;
+    /** The body as it is now, with a share of its shape, to be disposed of. */
+    body(id: BodyId): Required<Body>;
     /** A share of the body's shape, to be disposed of. */
     shape(id: BodyId): Shape;
     /** All poses by index, four numbers each: place, and turned X axis. No copy: valid until the next call. */
@@ -1374,31 +1383,8 @@ export declare namespace plane {
     continuousMs: number;
     wholeMs: number;
   }
-  /** The state of a simulation, to go back to. */
-  class State extends Handle {
-    private constructor();
-    static fromBytes(bytes: Uint8Array | ArrayBuffer): State;
-    bytes(): Uint8Array;
-  }
-  class Simulation extends Handle {
-    constructor(settings?: SimulationSettings);
-    add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
-    remove(id: BodyId): void;
-    addJoint(joint: Joint): JointId;
-    removeJoint(id: JointId): void;
-    step(dt: number): void;
-    applyImpulse(id: BodyId, impulse: ArrayLike<number>, point: ArrayLike<number>): void;
-    applyAngularImpulse(id: BodyId, impulse: number): void;
-    applyForce(id: BodyId, force: ArrayLike<number>): void;
-    applyTorque(id: BodyId, torque: number): void;
-    setVelocity(id: BodyId, velocity: { linear?: ArrayLike<number>; angular?: number }): void;
-    setPose(id: BodyId, pose: PoseLike): void;
-    moveTo(id: BodyId, pose: PoseLike, dt: number): void;
-    setMaterial(id: BodyId, material: Material): void;
-    setGravity(gravity: ArrayLike<number>): void;
-    /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
-    setName(id: BodyId, name: string): void;
-    wake(id: BodyId): void;
+  /** Bodies that move, and queries of them; also in a replay. */
+  interface SimulationQueries {
     pose(id: BodyId): Pose;
     /** All poses by index, in the form of a world's. */
     poses(): Scalars;
@@ -1419,6 +1405,33 @@ export declare namespace plane {
     readonly world: WorldQueries;
     /** A hash of all bits that the next step depends on: equal runs have equal hashes, also after `restore`. */
     stateHash(): bigint;
+  }
+  /** The state of a simulation, to go back to. */
+  class State extends Handle {
+    private constructor();
+    static fromBytes(bytes: Uint8Array | ArrayBuffer): State;
+    bytes(): Uint8Array;
+  }
+  interface Simulation extends SimulationQueries {}
+  class Simulation extends Handle {
+    constructor(settings?: SimulationSettings);
+    add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
+    remove(id: BodyId): void;
+    addJoint(joint: Joint): JointId;
+    removeJoint(id: JointId): void;
+    step(dt: number): void;
+    applyImpulse(id: BodyId, impulse: ArrayLike<number>, point: ArrayLike<number>): void;
+    applyAngularImpulse(id: BodyId, impulse: number): void;
+    applyForce(id: BodyId, force: ArrayLike<number>): void;
+    applyTorque(id: BodyId, torque: number): void;
+    setVelocity(id: BodyId, velocity: { linear?: ArrayLike<number>; angular?: number }): void;
+    setPose(id: BodyId, pose: PoseLike): void;
+    moveTo(id: BodyId, pose: PoseLike, dt: number): void;
+    setMaterial(id: BodyId, material: Material): void;
+    setGravity(gravity: ArrayLike<number>): void;
+    /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
+    setName(id: BodyId, name: string): void;
+    wake(id: BodyId): void;
     save(): State;
     restore(state: State): void;
   }
@@ -1473,7 +1486,7 @@ export declare namespace plane {
     trace(trace: DrawnTrace, renderer: Renderer, options?: { readonly step?: number }): void;
     explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
     world(world: WorldQueries, renderer: Renderer): void;
-    simulation(simulation: Simulation, renderer: Renderer): void;
+    simulation(simulation: SimulationQueries, renderer: Renderer): void;
     /** The centre and the size of all bounded bodies. */
     area(world: WorldQueries): { center: number[]; size: number };
   };
@@ -1510,11 +1523,13 @@ export interface ReplayReport {
   difference: { frame: number; call: number; what: string } | null;
 }
 /** Plays a capture again, as `graze capture` or a program in C++ wrote it, in the scalar of this entry. `each` gets the
- * world after every frame, and whether it is one of the plane; the world can be queried until the function returns. Not
- * in graze/queries. */
+ * world after every frame, whether it is one of the plane, and the simulation where it is the world of one; both can be
+ * queried until the function returns. Not in graze/queries. */
 export function replay(
   bytes: ArrayBuffer | ArrayBufferView,
-  each?: (world: WorldQueries | plane.WorldQueries, frame: number, plane: boolean) => void): ReplayReport;
+  each?: (
+    world: WorldQueries | plane.WorldQueries, frame: number, plane: boolean,
+    simulation: SimulationQueries | plane.SimulationQueries | null) => void): ReplayReport;
 
 // --- The query protocol (graze/double alone) ---
 

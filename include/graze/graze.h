@@ -1341,6 +1341,9 @@ GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_d(const GrazeSimulationd
 GRAZE_C_API GrazeStatus graze_simulation_report_d(const GrazeSimulationd *simulation, GrazeStepReportd *report);
 // The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_simulation_world_d(const GrazeSimulationd *simulation, const GrazeWorldd **world);
+// The simulation whose world it is, for questions alone: also in a replay, which refuses changes to it. Null for a world
+// of its own.
+GRAZE_C_API GrazeStatus graze_world_simulation_d(const GrazeWorldd *world, const GrazeSimulationd **simulation);
 
 // A hash of all bits that the next step depends on. Equal runs have equal hashes, also after a restore.
 GRAZE_C_API GrazeStatus graze_simulation_state_hash_d(const GrazeSimulationd *simulation, uint64_t *hash);
@@ -1996,6 +1999,9 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_report_d(const GrazePlaneSimulati
 // The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_plane_simulation_world_d(const GrazePlaneSimulationd *simulation,
                                                        const GrazePlaneWorldd **world);
+// The simulation whose world it is, as in space.
+GRAZE_C_API GrazeStatus graze_plane_world_simulation_d(const GrazePlaneWorldd *world,
+                                                       const GrazePlaneSimulationd **simulation);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_state_hash_d(const GrazePlaneSimulationd *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_plane_simulation_save_d(const GrazePlaneSimulationd *simulation,
@@ -2061,8 +2067,8 @@ GRAZE_C_API GrazeStatus graze_plane_world_draw_area_d(const GrazePlaneWorldd *wo
 
 // Captures (graze/capture.hpp) ----------------------------------------------------------------------------------------
 
-// Receiver of a replayed frame: the world, also that of a simulation, of space or of the plane, valid until the
-// function returns. The other pointer is null.
+// Receiver of a replayed frame: the world, of space or of the plane, valid until the function returns; the other pointer
+// is null. The world of a simulation leads to it by graze_world_simulation_d.
 typedef void (*GrazeReplayFunctiond)(void *user, size_t frame, const GrazeWorldd *world,
                                      const GrazePlaneWorldd *plane_world);
 // Plays a capture in this scalar again, to its end or to the first difference. `each` may be null. Any bytes may be
@@ -2758,6 +2764,7 @@ GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_f(const GrazeSimulationf
                                                           const float **impulses, size_t *count);
 GRAZE_C_API GrazeStatus graze_simulation_report_f(const GrazeSimulationf *simulation, GrazeStepReportf *report);
 GRAZE_C_API GrazeStatus graze_simulation_world_f(const GrazeSimulationf *simulation, const GrazeWorldf **world);
+GRAZE_C_API GrazeStatus graze_world_simulation_f(const GrazeWorldf *world, const GrazeSimulationf **simulation);
 
 GRAZE_C_API GrazeStatus graze_simulation_state_hash_f(const GrazeSimulationf *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_simulation_save_f(const GrazeSimulationf *simulation, GrazeStatef **state);
@@ -3331,6 +3338,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_report_f(const GrazePlaneSimulati
                                                         GrazePlaneStepReportf *report);
 GRAZE_C_API GrazeStatus graze_plane_simulation_world_f(const GrazePlaneSimulationf *simulation,
                                                        const GrazePlaneWorldf **world);
+GRAZE_C_API GrazeStatus graze_plane_world_simulation_f(const GrazePlaneWorldf *world,
+                                                       const GrazePlaneSimulationf **simulation);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_state_hash_f(const GrazePlaneSimulationf *simulation, uint64_t *hash);
 GRAZE_C_API GrazeStatus graze_plane_simulation_save_f(const GrazePlaneSimulationf *simulation,

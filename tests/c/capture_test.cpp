@@ -52,6 +52,61 @@ TEST(CReplay, HandsOutTheWorldAfterEachFrame) {
   EXPECT_EQ(report.frames, 5u);
 }
 
+/// The last frame of a replayed simulation, as far as it is asked for.
+struct SeenSimulation {
+  bool there = false, asleep = true;
+  double energy = 0;
+  GrazeStatus saved = GRAZE_INVALID_VALUE, changed = GRAZE_OK, renamed = GRAZE_OK;
+};
+
+void ask(void* user, size_t, const GrazeWorldd* world, const GrazePlaneWorldd* plane_world) {
+  SeenSimulation& seen = *static_cast<SeenSimulation*>(user);
+  const GrazeSimulationd* simulation = nullptr;
+  if (plane_world != nullptr || graze_world_simulation_d(world, &simulation) != GRAZE_OK || simulation == nullptr)
+    return;
+  GrazeStepReportd report;
+  GrazeStated* state = nullptr;
+  seen.there = graze_simulation_asleep_d(simulation, {0, 0}, &seen.asleep) == GRAZE_OK;
+  if (graze_simulation_report_d(simulation, &report) == GRAZE_OK) seen.energy = report.kinetic_energy;
+  seen.saved = graze_simulation_save_d(simulation, &state);
+  graze_state_destroy_d(state);
+  // Nobody who keeps to `const` comes here; other languages have none.
+  auto* changeable = const_cast<GrazeSimulationd*>(simulation);
+  seen.changed = graze_simulation_step_d(changeable, 0.01);
+  seen.renamed = graze_simulation_set_name_d(changeable, {0, 0}, "other");
+}
+
+TEST(CReplay, AWorldLeadsToItsSimulationWhichIsNotChanged) {
+  const std::string file = captured_fall();
+  SeenSimulation seen;
+  GrazeReplayReport report;
+  ASSERT_EQ(graze_replay_d(file.data(), file.size(), &ask, &seen, &report), GRAZE_OK);
+  EXPECT_FALSE(report.differs);
+  EXPECT_TRUE(seen.there && !seen.asleep);
+  EXPECT_GT(seen.energy, 0);
+  EXPECT_EQ(seen.saved, GRAZE_OK);
+  for (const GrazeStatus status : {seen.changed, seen.renamed}) EXPECT_EQ(status, GRAZE_INVALID_VALUE);
+  EXPECT_NE(std::string(graze_last_error()).find("one that is played again"), std::string::npos);
+}
+
+TEST(CReplay, AWorldOfItsOwnHasNoSimulation) {
+  GrazeWorldd* world = nullptr;
+  GrazeSimulationd* made = nullptr;
+  const GrazeSimulationd* simulation = nullptr;
+  const GrazeWorldd* inner = nullptr;
+  ASSERT_EQ(graze_world_create_d(nullptr, nullptr, &world), GRAZE_OK);
+  ASSERT_EQ(graze_simulation_create_d(nullptr, nullptr, &made), GRAZE_OK);
+  simulation = made;
+  EXPECT_EQ(graze_world_simulation_d(world, &simulation), GRAZE_OK);
+  EXPECT_EQ(simulation, nullptr);
+  ASSERT_EQ(graze_simulation_world_d(made, &inner), GRAZE_OK);
+  EXPECT_EQ(graze_world_simulation_d(inner, &simulation), GRAZE_OK);
+  EXPECT_EQ(simulation, made);
+  EXPECT_EQ(graze_world_simulation_d(nullptr, &simulation), GRAZE_INVALID_VALUE);
+  graze_simulation_destroy_d(made);
+  graze_world_destroy_d(world);
+}
+
 TEST(CReplay, OfThePlaneToo) {
   std::ostringstream out;
   plane::CapturedWorld<double> world(&out);

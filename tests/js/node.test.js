@@ -258,14 +258,27 @@ test("a run of JavaScript is captured", async () => {
     const file = Buffer.concat(parts);
     assert.deepEqual(graze.captureHead(file), { simulation: true, plane: library === plane, scalar: "float" });
     let last;
+    let kept;
     const names = new Set();
-    const report = graze.replay(file, (world) => {
+    const report = graze.replay(file, (world, frame, flat, played) => {
+      kept = played;
+      assert.equal(played.asleep(world.bodyAt(0)), false);
+      assert.deepEqual(played.pose(world.bodyAt(0)), world.pose(world.bodyAt(0)));
+      assert.deepEqual([played.joints(), played.world.size], [[], 2]);
+      const { kineticEnergy, potentialEnergy } = played.report();
+      if (frame === 10) assert.ok(kineticEnergy > 0 && potentialEnergy > 0, `${kineticEnergy} and ${potentialEnergy}`);
+      (flat ? plane : graze).draw.simulation(played, { layers: ["joints"] });
+      const { shape: whole, fixed, trigger, filter } = world.body(world.bodyAt(1));
+      assert.deepEqual([whole.kind, fixed, trigger], [flat ? "halfPlane" : "halfSpace", true, false]);
+      assert.deepEqual(filter, { category: 1n, mask: 0xffffffffffffffffn, group: 0 });
+      whole.dispose();
       last = world.pose(world.bodyAt(0)).translation[1];
       names.add(`${world.name(world.bodyAt(0))}, ${world.name(world.bodyAt(1))}`);
     });
     assert.deepEqual([...names], ["ein Bällchen, "]);
     assert.deepEqual([report.frames, report.cut, report.difference], [61, false, null]); // with the saves behind the last step
     assert.equal(last, end);
+    assert.throws(() => kept.report(), /until its function returns/);
 
     const calls = [];
     const world = new library.World({ capture: (bytes) => calls.push(bytes) });
@@ -278,7 +291,7 @@ test("a run of JavaScript is captured", async () => {
     world.update(0.1);
     assert.throws(() => world.reduce(1), { message: /not captured, got a captured one/ });
     world.dispose();
-    const played = graze.replay(Buffer.concat(calls));
+    const played = graze.replay(Buffer.concat(calls), (own, frame, flat, simulation) => assert.equal(simulation, null));
     assert.deepEqual([played.simulation, played.frames, played.calls, played.difference], [false, 2, 9, null]);
     for (const shape of shapes) shape.dispose();
   }

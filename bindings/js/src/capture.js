@@ -63,7 +63,14 @@ export function bytesWritten(core, write) {
   return all;
 }
 
-export function replays(core, layout, worlds, planeWorlds) {
+/** The function that plays captures, of the worlds and simulations of either dimension. */
+export function replays(core, layout, ofSpace, ofPlane) {
+  /** A frame's world and simulation in a dimension, by the pointer of the present world. */
+  const shownIn = ({ worlds, simulations }, there) => ({
+    world: worlds.questionable({}, there),
+    simulation: simulations.questionable({}, () => simulations.ofWorld(there())),
+    isPlayed: () => core.frame(() => simulations.ofWorld(there())) !== 0,
+  });
   return {
     captureHead: (bytes) =>
       core.frame(() => {
@@ -80,13 +87,14 @@ export function replays(core, layout, worlds, planeWorlds) {
           if (pointer === 0) throw new Error("graze: the world of a replay is there until its function returns");
           return pointer;
         };
-        const world = worlds.questionable({}, there);
-        const planeWorld = planeWorlds.questionable({}, there);
-        const key = core.keep((frame, ofSpace, ofPlane) => {
-          const flat = ofSpace === 0;
-          pointer = flat ? ofPlane : ofSpace;
+        const space = shownIn(ofSpace, there);
+        const plane = shownIn(ofPlane, there);
+        const key = core.keep((frame, worldOfSpace, worldOfPlane) => {
+          const flat = worldOfSpace === 0;
+          const { world, simulation, isPlayed } = flat ? plane : space;
+          pointer = flat ? worldOfPlane : worldOfSpace;
           try {
-            each?.(flat ? planeWorld : world, frame, flat);
+            each?.(world, frame, flat, isPlayed() ? simulation : null);
           } finally {
             pointer = 0;
           }
@@ -97,9 +105,9 @@ export function replays(core, layout, worlds, planeWorlds) {
         } finally {
           core.callbacks.delete(key);
         }
-        const { simulation, plane, cut, differs, frame, call, frames, calls } = layout.replayReport.read(p);
+        const { simulation, plane: flat, cut, differs, frame, call, frames, calls } = layout.replayReport.read(p);
         const what = core.string(p + layout.replayReport.offset.what);
-        return { simulation, plane, cut, frames, calls, difference: differs ? { frame, call, what } : null };
+        return { simulation, plane: flat, cut, frames, calls, difference: differs ? { frame, call, what } : null };
       }),
   };
 }

@@ -137,7 +137,7 @@ export function tessellations(core, layout, { prefix, types, args, of, pose, ask
 }
 
 /** Drawing of a dimension's worlds and simulations. */
-export function worldDrawings(core, layout, { prefix, types, pose }, worlds, { Simulation }, Handle) {
+export function worldDrawings(core, layout, { prefix, types, pose }, worlds, simulations) {
   const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
   return {
     joint: ({ frameA, frameB }, poseA, poseB, renderer) =>
@@ -150,10 +150,8 @@ export function worldDrawings(core, layout, { prefix, types, pose }, worlds, { S
       }),
     world: (world, renderer) =>
       drawn(renderer, (on) => core.call(`${prefix}world_draw`, worlds.pointerOf(world), on)),
-    simulation: (simulation, renderer) => {
-      const pointer = Handle.pointer(simulation, "simulation", Simulation);
-      drawn(renderer, (on) => core.call(`${prefix}simulation_draw`, pointer, on));
-    },
+    simulation: (simulation, renderer) =>
+      drawn(renderer, (on) => core.call(`${prefix}simulation_draw`, simulations.pointerOf(simulation), on)),
     area(world) {
       const on = core.room(layout.debugDraw.size);
       core.exports.graze_debug_draw_default(on);

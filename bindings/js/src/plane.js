@@ -165,7 +165,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const motion = { ...dimension, inverseMass, turnOf: (turn) => turn ?? 0, inverseInertiaOf: (inertia) => 1 / inertia };
 
   const names = {
-    World: worlds.World, ...simulations,
+    World: worlds.World, ...simulations.names,
     Shape, Circle, Capsule, Box, Segment, Convex, Ellipse, UserConvex, HalfPlane, Polygon, Chain, Compound,
     ...ask.framed({
       ...ask.asked,
@@ -187,7 +187,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
     protocolShape: protocolShapes(core, "plane_shape_text", of),
     traced: ask.traced(),
     draw: ask.framed({
-      ...drawings(core, layout, dimension), ...worldDrawings(core, layout, dimension, worlds, simulations, Handle) }),
+      ...drawings(core, layout, dimension), ...worldDrawings(core, layout, dimension, worlds, simulations) }),
   };
-  return { names, worlds };
+  return { names, worlds, simulations };
 }

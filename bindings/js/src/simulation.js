@@ -12,7 +12,7 @@ const jointKinds = ["fixed", "ball", "hinge", "slider"];
 export function simulationClasses(core, layout, dimension, worlds, Handle) {
   const { prefix, types, args, pose, shown: shownPose, turning, ask } = dimension;
   const { written, answered } = args;
-  const { idAt, bodyAt, questionable } = worlds;
+  const { idAt, bodyAt } = worlds;
   const call = (name, ...parameters) => core.call(`${prefix}simulation_${name}`, ...parameters);
   const vector = (value, path) => written(types.vector, value, path);
   /** The number of numbers that a pose in an array has. */
@@ -79,6 +79,60 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     return p;
   };
 
+  /** The queries of a simulation, also of one that is played again; `pointer` returns its pointer. */
+  const asked = (pointer) => ({
+    pose: (id) => shownPose(answered(types.pose, (p) => call("pose", pointer(), idAt(id, "body"), p))),
+    poses() {
+      const first = core.room(4);
+      const count = core.room(4);
+      call("poses", pointer(), first, count);
+      return core.numbers(core.data.getUint32(first, true), poseNumbers * core.data.getUint32(count, true));
+    },
+    motion(id) {
+      const velocity = core.room(types.velocity.size);
+      const center = core.room(types.vector.size);
+      call("motion", pointer(), idAt(id, "body"), velocity, center);
+      return { ...types.velocity.read(velocity), center: types.vector.read(center) };
+    },
+    mass: (id) => answered(layout.num, (p) => call("mass", pointer(), idAt(id, "body"), p)),
+    angularMomentum: (id) => answered(types.turning, (p) => call("angular_momentum", pointer(), idAt(id, "body"), p)),
+    asleep: (id) => answered(layout.bool, (p) => call("asleep", pointer(), idAt(id, "body"), p)),
+    subSteps: (id) => answered(layout.i32, (p) => call("sub_steps", pointer(), idAt(id, "body"), p)),
+    joints: () => ask.listed(layout.id, (...to) => call("joints", pointer(), ...to)),
+    joint(id) {
+      const { frameA, frameB, limits, limitCount, drives, driveCount, ...joint } = answered(types.joint, (p) =>
+        call("joint", pointer(), idAt(id, "joint"), ask.room(), p));
+      return {
+        ...joint, frameA: shownPose(frameA), frameB: shownPose(frameB),
+        limits: layout.readAll(layout.jointLimit, limits, limitCount).map(shownLimit),
+        drives: layout.readAll(layout.jointDrive, drives, driveCount) };
+    },
+    jointImpulses(id) {
+      const first = core.room(4);
+      const count = core.room(4);
+      call("joint_impulses", pointer(), idAt(id, "joint"), first, count);
+      return Array.from(core.numbers(core.data.getUint32(first, true), core.data.getUint32(count, true)));
+    },
+    report: () => answered(types.stepReport, (p) => call("report", pointer(), p)),
+    stateHash: () => answered(layout.u64, (p) => call("state_hash", pointer(), p)),
+  });
+  /** The function that returns the pointer of the simulation, for each object with those queries. */
+  const pointers = new WeakMap();
+  const pointerOf = (simulation) => {
+    const pointer = pointers.get(simulation);
+    if (pointer === undefined) throw new InvalidValue(`simulation: expected a Simulation, got ${shown(simulation)}`);
+    return pointer();
+  };
+  /** Gives `target` those queries as methods, and those of its world as a member. */
+  const questionable = (target, pointer) => {
+    for (const [name, value] of Object.entries(ask.framed(asked(pointer)))) Object.defineProperty(target, name, { value });
+    target.world = worlds.questionable({}, () => answered(layout.u32, (p) => call("world", pointer(), p)));
+    pointers.set(target, pointer);
+    return target;
+  };
+  /** The pointer of the simulation whose world it is, for questions alone; 0 for a world of its own. */
+  const ofWorld = (world) => answered(layout.u32, (p) => core.call(`${prefix}world_simulation`, world, p));
+
   class State extends Handle {
     constructor(pointer) {
       if (typeof pointer !== "number") throw new TypeError("graze: a State is made by Simulation.save");
@@ -98,8 +152,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     constructor(settings = {}) {
       const begin = () => settled(types.simulationSettings, "simulation_settings", settings);
       super(...created(core, `${prefix}simulation`, begin, settings.capture));
-      const world = () => answered(layout.u32, (p) => call("world", at(this), p));
-      this.world = questionable({}, world);
+      questionable(this, () => at(this));
     }
     add(body, dynamics, material) {
       return core.frame(() =>
@@ -151,64 +204,6 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     wake(id) {
       core.frame(() => call("wake", changed(this), idAt(id, "body")));
     }
-    pose(id) {
-      return core.frame(() => shownPose(answered(types.pose, (p) => call("pose", at(this), idAt(id, "body"), p))));
-    }
-    poses() {
-      return core.frame(() => {
-        const first = core.room(4);
-        const count = core.room(4);
-        call("poses", at(this), first, count);
-        return core.numbers(core.data.getUint32(first, true), poseNumbers * core.data.getUint32(count, true));
-      });
-    }
-    motion(id) {
-      return core.frame(() => {
-        const velocity = core.room(types.velocity.size);
-        const center = core.room(types.vector.size);
-        call("motion", at(this), idAt(id, "body"), velocity, center);
-        return { ...types.velocity.read(velocity), center: types.vector.read(center) };
-      });
-    }
-    mass(id) {
-      return core.frame(() => answered(layout.num, (p) => call("mass", at(this), idAt(id, "body"), p)));
-    }
-    angularMomentum(id) {
-      return core.frame(() => answered(types.turning, (p) => call("angular_momentum", at(this), idAt(id, "body"), p)));
-    }
-    asleep(id) {
-      return core.frame(() => answered(layout.bool, (p) => call("asleep", at(this), idAt(id, "body"), p)));
-    }
-    subSteps(id) {
-      return core.frame(() => answered(layout.i32, (p) => call("sub_steps", at(this), idAt(id, "body"), p)));
-    }
-    joints() {
-      return core.frame(() => ask.listed(layout.id, (...to) => call("joints", at(this), ...to)));
-    }
-    joint(id) {
-      return core.frame(() => {
-        const { frameA, frameB, limits, limitCount, drives, driveCount, ...joint } = answered(types.joint, (p) =>
-          call("joint", at(this), idAt(id, "joint"), ask.room(), p));
-        return {
-          ...joint, frameA: shownPose(frameA), frameB: shownPose(frameB),
-          limits: layout.readAll(layout.jointLimit, limits, limitCount).map(shownLimit),
-          drives: layout.readAll(layout.jointDrive, drives, driveCount) };
-      });
-    }
-    jointImpulses(id) {
-      return core.frame(() => {
-        const first = core.room(4);
-        const count = core.room(4);
-        call("joint_impulses", at(this), idAt(id, "joint"), first, count);
-        return Array.from(core.numbers(core.data.getUint32(first, true), core.data.getUint32(count, true)));
-      });
-    }
-    report() {
-      return core.frame(() => answered(types.stepReport, (p) => call("report", at(this), p)));
-    }
-    stateHash() {
-      return core.frame(() => answered(layout.u64, (p) => call("state_hash", at(this), p)));
-    }
     save() {
       return new State(core.frame(() => answered(layout.u32, (p) => call("save", changed(this), p))));
     }
@@ -218,7 +213,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
   }
   const at = (simulation) => Handle.pointer(simulation, "simulation", Simulation);
   const changed = (simulation) => Handle.changed(simulation, "simulation", Simulation);
-  return { Simulation, State };
+  return { names: { Simulation, State }, questionable, pointerOf, ofWorld };
 }
 
 export function blows(core, layout, dimension, shapes) {

@@ -22,8 +22,8 @@ export function wholeEntry(scalar, address) {
     names: {
       ...names,
       ...blows(core, layout, dimension, shapes),
-      ...simulations,
-      ...replays(core, layout, worlds, ofPlane.worlds),
+      ...simulations.names,
+      ...replays(core, layout, { worlds, simulations }, ofPlane),
       hullLayers,
       ...ask.framed(tessellations(core, layout, dimension)),
       protocolShape: protocolShapes(core, "shape_text", shapes.of),
@@ -31,7 +31,7 @@ export function wholeEntry(scalar, address) {
       traced: { ...ask.traced(), support: tracedSupport },
       draw: ask.framed({
         ...drawings(core, layout, dimension),
-        ...worldDrawings(core, layout, dimension, worlds, simulations, Handle),
+        ...worldDrawings(core, layout, dimension, worlds, simulations),
         ...spaceDrawings(core, layout, args),
       }),
       plane: { ...ofPlane.names, ...planeReads },

@@ -77,6 +77,10 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       core.exports[release](body.shape); // one more share, which the call has added
       return shownPose(body.pose);
     },
+    body(id) {
+      const { shape, pose: at, ...rest } = answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p));
+      return { shape: new Shape(shape), ...shownPose(at), ...rest };
+    },
     shape: (id) => new Shape(answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p)).shape),
     poses() {
       const { first, count } = own(types.pose, "poses", pointer());
