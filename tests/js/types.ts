@@ -15,7 +15,7 @@ import type {
   DrawnElement, DrawnSupport, DrawnTrace, Dynamics, Explained, Filter, FreeBody, HullLayer, Impact, Joint, JointDrive, JointId,
   JointLimit, Manifold, MassProperties, Mat3, Material, MeshFindings, ModuleSource, Motion, Moving, PairContacts, PassedOn,
   PassOnOptions, PieceDistance, Places, PlaneScene, Points, Polygons, Pose, PoseLike, ProtocolShape, Quat, QueryFilter, Ray,
-  RayHit, RayOptions, Renderer, ReplayReport, Response, Rows, Scalars, ShapeKind, Sides, SimulationSettings, SolverPoint,
+  RayHit, RayOptions, Renderer, ReplayReport, Response, Rows, Scalars, ShapeKind, Sides, SimulationQueries, SimulationSettings, SolverPoint,
   StepReport, StruckBody, StruckContact, SupportTrace, Trace, TraceAxis, TraceCut, Traced, TraceEpa, TraceGjk, TraceSpan,
   TraceStep, TraceSupport, Vec2, Vec3, Vec3Like, WorldManifold, WorldPair, WorldQueries, WorldSettings,
 } from "graze/double";
@@ -232,7 +232,7 @@ const subSteps: number = simulation.subSteps(joint.a);
 const spin: Vec3 = simulation.angularMomentum(joint.a);
 expect(known.limits?.length === 1 && hash >= 0n && subSteps > 0 && spin.length === 3, "what is known of a simulation");
 simulation.restore(state);
-const played: ReplayReport = replay(parts.reduce((all, bytes) => new Uint8Array([...all, ...bytes])), (world, _, __, simulation) => {
+const played: ReplayReport = replay(parts.reduce((all, bytes) => new Uint8Array([...all, ...bytes])), (world, _, __, simulation: SimulationQueries | plane.SimulationQueries | null) => {
   const energy: number | undefined = simulation?.report().kineticEnergy, { filter } = world.body(world.bodyAt(0)!);
   return [energy, filter.mask];
 });
