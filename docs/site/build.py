@@ -40,7 +40,7 @@ def groups_of(docs, tables, has_api, has_lab):
         groups.append(("Measured", [(TABLES.get(pathlib.Path(s).stem, title_of(s)), pages.address_of(s)) for s in tables]))
     if has_lab:
         links = [("The lab", "lab/index.html")]
-        links += [(f"{number} {title}", f"lab/index.html#/lesson/{name}") for number, title, name in lessons.lessons_of(TREE)]
+        links += [(f"{one.number} {one.title}", f"lab/index.html#/lesson/{one.id}") for one in lessons.lessons_of(TREE)]
         groups.append(("Lessons", links))
     return groups
 
@@ -91,8 +91,8 @@ def main():
     if lab:
         shutil.copytree(lab, out / "lab")
         entries += [
-            {"name": title, "in": f"lesson {number}", "at": f"lab/index.html#/lesson/{name}"}
-            for number, title, name in lessons.lessons_of(TREE)
+            {"name": one.title, "in": f"lesson {one.number}", "at": f"lab/index.html#/lesson/{one.id}", "text": one.text}
+            for one in lessons.lessons_of(TREE)
         ]
     body = '<h1>Search</h1><p class="count" role="status">Type above what you look for.</p><ol class="results"></ol>'
     body += "<noscript><p>Search needs JavaScript.</p></noscript>"

@@ -5,6 +5,7 @@ The API reference is built too where Doxygen is there, and searched by the page'
 """
 
 import importlib.util
+import json
 import pathlib
 import re
 import shutil
@@ -77,11 +78,8 @@ def faults_are_found(site):
     (site / "broken.html").unlink()
 
 
-def search_finds(site):
-    node = shutil.which("node")
-    if not node:
-        print("without search: no node")
-        return
+def finder(site):
+    """The function that answers a search as the page does: the addresses, the best first."""
     script = (
         "for (const f of ['search.js', 'search-index.js']) (0, eval)(require('fs').readFileSync(process.argv[1] + '/assets/' + f, 'utf8'));"
         "for (const e of grazeFind(grazeIndex, process.argv[2])) console.log(e.at);"
@@ -89,9 +87,17 @@ def search_finds(site):
 
     def found(question):
         return subprocess.run(
-            [node, "-e", script, str(site), question], capture_output=True, text=True, check=True
+            [shutil.which("node"), "-e", script, str(site), question], capture_output=True, text=True, check=True
         ).stdout.split("\n")[:-1]
 
+    return found
+
+
+def search_finds(site):
+    if not shutil.which("node"):
+        print("without search: no node")
+        return
+    found = finder(site)
     check("index.html#what-it-answers" in found("support function"), "'support function' is not found")
     check(found("broad phases")[0] == "docs/broad-phases.html#broad-phases", "'broad phases' does not lead to its page")
     check(found("SUPPORT  function") == found("support function"), "capitals or blanks change what is found")
@@ -115,6 +121,25 @@ def lessons_are_read_from_the_lab(work):
         if path.name not in ("index.ts", "lesson.ts"):
             ids += re.findall(r'^  id: "([^"]+)",(?: number|$)', path.read_text(), re.MULTILINE)
     check(sorted(led_to) == sorted(ids), f"lessons in the navigation {sorted(led_to)}, in the lab {sorted(ids)}")
+    what_lessons_say_is_found(site)
+
+
+def what_lessons_say_is_found(site):
+    """Words of the sentences, steps and sources of lessons lead to these, and nothing of the program around them."""
+    index = (site / "assets/search-index.js").read_text(encoding="utf-8")
+    entries = json.loads(index[index.index("[") : index.rindex("]") + 1])
+    texts = {entry["at"].split("/")[-1]: entry["text"] for entry in entries if "#/lesson/" in entry["at"]}
+    for name, words in {
+        "spheres": "a small ball deep in a big one", "gjk": "what was found (units of length)",
+        "gjk-space": "A fast procedure for computing the distance", "filters": "Two ANDs decide",
+        "stack": "a warm start",
+    }.items():
+        check(words in texts[name], f"{words!r} is not in what the lesson {name} says: {texts[name]}")
+    for name, text in texts.items():
+        check(len(text) > 1000 and not re.search(r"\$\{|import |\.ts\b|=>", text), f"the lesson {name} says {text}")
+    if shutil.which("node"):
+        found = finder(site)
+        check("lab/index.html#/lesson/hulls" in found("descent brute force"), "a lesson is not found by its words")
 
 
 def what_is_asked_for_wrongly_is_refused(work):
