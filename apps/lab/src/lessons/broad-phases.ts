@@ -173,8 +173,8 @@ export const broadPhases: Lesson = {
       text: `${how[kind]} ${drawn[kind]}` + (parts.length > 0 ? " Drag the box: the parts that it meets are dark." : ""),
       handles: parts.length > 0 ? ["ask"] : [],
       numbers: parts.length > 0
-        ? { caption: "Parts of the structure", columns: ["part", "how many"], rows: levels.map((depth) => ({ cells: [kind === "hashedGrid" ? "cells" : depth === 0 ? "the root" : `depth ${depth}`, parts.filter((p) => p.depth === depth).length], key: `depth-${depth}` })) }
-        : { caption: "Parts of the structure", columns: ["part", "how many"], rows: [{ cells: ["boxes around boxes", 0] }] },
+        ? { caption: "Parts of the structure (numbers)", columns: ["part", "how many"], rows: levels.map((depth) => ({ cells: [kind === "hashedGrid" ? "cells" : depth === 0 ? "the root" : `depth ${depth}`, parts.filter((p) => p.depth === depth).length], key: `depth-${depth}` })) }
+        : { caption: "Parts of the structure (numbers)", columns: ["part", "how many"], rows: [{ cells: ["boxes around boxes", 0] }] },
       says: parts.length > 0 ? `${parts.length} parts on ${levels.length} levels.` : "Sorted lists have no parts in space.",
       draw(d) {
         drawParts(d, parts, parts.length > 0 ? met : undefined);
@@ -186,7 +186,7 @@ export const broadPhases: Lesson = {
       text: `A box that is none of the bodies: which of them does it overlap? Drag it. ${hits.size} of ${count} do. ` + (parts.length > 0
         ? `Of ${parts.length} parts ${met.size} meet the box` + (kind === "looseOctree" ? "; looked into are also those whose bodies stick out as far." : "; in the others nothing is looked at.")
         : "Sorted ends answer no question about a place but by a walk along them: the answer is the same, the way is longer."),
-      numbers: { caption: "The question", columns: ["quantity", "value"], rows: [
+      numbers: { caption: "The question (numbers)", columns: ["quantity", "value"], rows: [
         { cells: ["bodies", count] }, { cells: ["parts", parts.length] }, { cells: ["parts that meet the box", met.size], mark: "now" }, { cells: ["bodies that do", hits.size], mark: "winner" }] },
       handles: ["ask"],
       says: `${hits.size} bodies overlap the box that asks; ${met.size} of ${parts.length} parts do.`,
@@ -198,7 +198,7 @@ export const broadPhases: Lesson = {
     }, {
       title: "One box moves",
       text: `The first body moves by ${shifts[0]}, then by ${shifts[1]}, and all others stand still. Asked for the pairs of what moved, a structure looks at little, or at everything once more. Pairs after the long way: ${moved[1].partners.size}.`,
-      numbers: { caption: "Boxes compared for one that moved", columns: ["structure", "a little", "far", "pairs"], rows: moves.map(({ k, both }) => ({ cells: [labels[k], both[0].tests, both[1].tests, both[1].partners.size], mark: k === kind ? "now" as const : undefined })) },
+      numbers: { caption: "Boxes compared for one that moved (numbers)", columns: ["structure", "a little", "far", "pairs"], rows: moves.map(({ k, both }) => ({ cells: [labels[k], both[0].tests, both[1].tests, both[1].partners.size], mark: k === kind ? "now" as const : undefined })) },
       says: `One box moved; ${moved[1].partners.size} pairs of it, found by ${moved[1].tests} tests.`,
       draw(d) {
         drawParts(d, moved[1].parts);
@@ -213,7 +213,7 @@ export const broadPhases: Lesson = {
       return {
         title: `${labels[kind]}, frame ${i + 1}`,
         text: `${how[kind]} ${found} of ${all.toLocaleString("en")} pairs overlap in this frame. Boxes were compared ${frame.tests.toLocaleString("en")} times, ${inVain.toLocaleString("en")} of them in vain, bounds of many boxes among them; every other pair was ruled out without a look. Times are means over all frames in this browser, with the calls from JavaScript.`,
-        numbers: { caption: "This frame", columns: ["structure", "pairs", "tests", "in vain", "µs", "kB"], rows: times.map(({ k, frames: f, micros }) => ({ cells: [labels[k], f[i].pairs.length / 2, f[i].tests, Math.max(0, f[i].tests - f[i].pairs.length / 2), Math.round(micros), Math.round(f[i].memory / 1024)], mark: k === kind ? "now" as const : undefined })) },
+        numbers: { caption: "This frame (numbers, time and memory)", columns: ["structure", "pairs", "tests", "in vain", "µs", "kB"], rows: times.map(({ k, frames: f, micros }) => ({ cells: [labels[k], f[i].pairs.length / 2, f[i].tests, Math.max(0, f[i].tests - f[i].pairs.length / 2), Math.round(micros), Math.round(f[i].memory / 1024)], mark: k === kind ? "now" as const : undefined })) },
         graph: { caption: "pairs and tests in each frame", at: i, series: [{ name: "pairs", meaning: "touch", values: list.map((f) => f.pairs.length / 2) }, { name: "tests", meaning: "axis", values: list.map((f) => f.tests) }] },
         says: `Frame ${i + 1}: ${digits(found)} pairs of ${all}, found by ${digits(frame.tests)} tests.`,
         draw(d) {

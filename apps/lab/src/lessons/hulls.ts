@@ -105,7 +105,7 @@ export const hulls: Lesson = {
       title: `${many(count)} points`,
       text: "The support point is the one with the largest scalar product with d. Without further thought that is one product for every point.",
       formula: ["s(d) = max_i p_i*d", `s(d) = ${digits(reach, 5)}`],
-      numbers: { caption: "Support", columns: ["quantity", "value"], rows: [{ cells: ["direction", vector(u, 4)] }, { cells: ["furthest point", vector(found, 5)], mark: "winner" }, { cells: ["reach", reach] }] },
+      numbers: { caption: "Support (units of length)", columns: ["quantity", "value"], rows: [{ cells: ["direction", vector(u, 4)] }, { cells: ["furthest point", vector(found, 5)], mark: "winner" }, { cells: ["reach", reach] }] },
       says: `The furthest point is ${vector(found, 3)}.`,
       draw(d) {
         whole(d);
@@ -119,7 +119,7 @@ export const hulls: Lesson = {
         ? "Dobkin and Kirkpatrick take away, again and again, points no two of which are neighbours and none of which has many neighbours. What is left has a hull inside the one before. Each round loses at least a fixed share, so there are few. The library keeps of several rounds one, about a quarter of the next: fewer layers, a few more points to look at in each. The innermost is drawn as a body, the next ones as lines."
         : "Up to 64 points the library has no hierarchy: it looks at all of them, several side by side in the lanes of the processor. No descent is as fast.",
       formula: levels > 1 ? [layers.layers.map((l) => l.vertices.length).join(" -> ")] : undefined,
-      numbers: { caption: "Layers, from the coarsest", columns: ["layer", "points", "edges"], rows: layers.layers.map((l, i) => ({ cells: [named(i, levels), l.vertices.length, l.edges.length / 2], key: `layer-${i}` })) },
+      numbers: { caption: "Layers, from the coarsest (numbers)", columns: ["layer", "points", "edges"], rows: layers.layers.map((l, i) => ({ cells: [named(i, levels), l.vertices.length, l.edges.length / 2], key: `layer-${i}` })) },
       says: `${levels} ${levels > 1 ? "layers" : "layer"} of ${layers.layers.map((l) => many(l.vertices.length)).join(", ")} points.`,
       draw(d) {
         whole(d, levels > 1);
@@ -144,11 +144,11 @@ export const hulls: Lesson = {
             `${seen.length} products, ${climb.length - 1 === 1 ? "one step" : `${climb.length - 1} steps`} to a better point` + (last ? ", and this layer is the hull itself: the furthest of all." : "."),
         formula: [`max p*d = ${digits(best[best.length - 1], 6)}`],
         numbers: {
-          caption: "Looked at, layer by layer", columns: ["layer", "points", "looked at", "furthest so far"],
+          caption: "Looked at, layer by layer (numbers, and units of length)", columns: ["layer", "points", "looked at", "furthest so far"],
           rows: trace.layers.map((l, k) => ({ cells: k <= i ? [named(k, levels), l.vertices, l.lookedAt.length, Math.max(...l.along)] : [named(k, levels), l.vertices, "", ""],
             mark: k === i ? (last ? "winner" as const : "now" as const) : undefined })),
         },
-        graph: { caption: "product with d of each point looked at", close: true, at: seen.length - 1, series: [{ name: "the best", meaning: "touch", values: best }, { name: "looked at", meaning: "axis", values: [...layer.along] }] },
+        graph: { caption: "product with d of each point (length)", close: true, at: seen.length - 1, series: [{ name: "the best", meaning: "touch", values: best }, { name: "looked at", meaning: "axis", values: [...layer.along] }] },
         says: `${seen.length} of ${many(size)} points of ${name} are looked at; the furthest is ${vector(layers.vertices[layer.winner], 3)}.`,
         draw(d) {
           whole(d, !trace.scanned);
@@ -165,7 +165,7 @@ export const hulls: Lesson = {
       title: `${trace.products} instead of ${many(count)}`,
       text: "The same direction asked of hulls of four sizes. Brute force takes a product a point. The descent takes a handful a layer, and ten times the points are about two layers more.",
       formula: ['"products" = O(log n)'],
-      numbers: { caption: "Products for one direction", columns: ["points", "layers", "looked at", "brute force"], rows: sizes.map((m) => ({ cells: [many(m.c), m.levels, m.products, m.vertices], mark: m.c === count ? "now" as const : undefined })) },
+      numbers: { caption: "Products for one direction (numbers)", columns: ["points", "layers", "looked at", "brute force"], rows: sizes.map((m) => ({ cells: [many(m.c), m.levels, m.products, m.vertices], mark: m.c === count ? "now" as const : undefined })) },
       graph: { caption: "products for 20, 100, 1,000, 10,000 points", at: counts.indexOf(count), series: [{ name: "descent", meaning: "made", values: sizes.map((m) => m.products) }] },
       says: `${trace.products} products instead of ${many(count)}.`,
       draw(d) {
