@@ -7,6 +7,7 @@ import { rimMaterial } from "./rim.ts";
 import { color } from "./theme.ts";
 import type { Solid } from "./solid.ts";
 import type { Meaning } from "./drawing.ts";
+import type { Vec } from "../question.ts";
 
 /** The look of a body; bodies with the same key share one. */
 export interface Looks {
@@ -48,15 +49,16 @@ export class Crowd {
     }
     this.paint();
   }
-  /** Moves the bodies: seven numbers each, translation and quaternion. With `there`, bodies not in it are hidden. */
-  move(poses: ArrayLike<number>, there?: ReadonlySet<number>): void {
+  /** Moves the bodies: seven numbers each, translation and quaternion. With `there`, bodies not in it are hidden; those in
+   *  `growths` are so many times as large along their axes. */
+  move(poses: ArrayLike<number>, there?: ReadonlySet<number>, growths?: ReadonlyMap<number, Vec>): void {
     const matrix = new THREE.Matrix4(), at = new THREE.Vector3(), turn = new THREE.Quaternion();
-    const one = new THREE.Vector3(1, 1, 1), none = new THREE.Vector3(0, 0, 0);
+    const one = new THREE.Vector3(1, 1, 1), size = new THREE.Vector3(), none = new THREE.Vector3(0, 0, 0);
     for (const { mesh, bodies } of this.batches) {
       bodies.forEach((body, i) => {
         const p = body * 7;
         if (there && !there.has(body)) matrix.compose(at.set(0, 0, 0), turn.identity(), none);
-        else matrix.compose(at.set(poses[p], poses[p + 1], poses[p + 2]), turn.set(poses[p + 3], poses[p + 4], poses[p + 5], poses[p + 6]), one);
+        else matrix.compose(at.set(poses[p], poses[p + 1], poses[p + 2]), turn.set(poses[p + 3], poses[p + 4], poses[p + 5], poses[p + 6]), growths?.has(body) ? size.fromArray(growths.get(body)!) : one);
         mesh.setMatrixAt(i, matrix);
       });
       mesh.instanceMatrix.needsUpdate = true;

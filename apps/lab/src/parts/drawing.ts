@@ -18,6 +18,8 @@ export interface Look {
   /** In space: all that a shape of many points is made of, as a text that names it in place of its measures. */
   made?: string;
   wide?: boolean;
+  /** In space: of a point of many, half as wide as usual, and hidden by what is before it. */
+  small?: boolean;
   /** Lights up with the rows of the table that have the key. */
   key?: string;
   /** Lies below everything else. */

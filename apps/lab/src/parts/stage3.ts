@@ -20,6 +20,8 @@ import type { Body, Vec } from "../question.ts";
 
 /** The angle that is seen of the lesser of width and height, in degrees. */
 const fieldOfView = 40;
+/** The width of a point as a part of the lesser of width and height. */
+const pointWidth = 0.018;
 /** The pixel of what lies behind the camera. */
 const nowhere: [number, number] = [-1000, -1000];
 const v3 = (p: Vec): THREE.Vector3 => new THREE.Vector3(p[0], p[1], p[2] ?? 0);
@@ -49,6 +51,8 @@ export class Stage3 implements Stage, Drawing {
   private readonly drawn = new THREE.Group();
   private readonly paints = new Paints();
   private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look; onTop: boolean }>();
+  /** Points by their looks, which are drawn together as lines are. */
+  private points = new Map<string, { positions: number[]; meaning: Meaning; ghost: boolean; part: number; hidden: boolean }>();
   private texts: { at: Vec; text: string; meaning: Meaning; from?: Vec }[] = [];
   private picks: THREE.Object3D[] = [];
   private dots: { at: Vec; key: string }[] = [];
@@ -151,6 +155,7 @@ export class Stage3 implements Stage, Drawing {
     this.eye.position.copy(v3(eye));
     this.controls.target.copy(v3(target));
     this.controls.update();
+    this.eye.position.copy(v3(eye)); // which the controls have rounded by their angles
     this.moved = true;
     this.request();
   }
@@ -235,12 +240,7 @@ export class Stage3 implements Stage, Drawing {
   }
   point(at: Vec, meaning: Meaning, look?: Look): void {
     const lit = look?.key !== undefined && look.key === this.lit;
-    const dot = new THREE.Sprite(this.paints.of("point", { color: color(lit ? "touch" : meaning), opacity: look?.ghost ? 0.4 : 1 },
-      (paint) => new THREE.SpriteMaterial({ ...paint, map: disc(), sizeAttenuation: false, depthTest: false, transparent: true })));
-    dot.position.copy(v3(at));
-    dot.scale.setScalar(lit || look?.wide ? 0.026 : 0.013);
-    dot.renderOrder = 3;
-    this.drawn.add(dot);
+    this.pointsOf(lit ? "touch" : meaning, lit, look).positions.push(at[0], at[1], at[2] ?? 0);
     if (look?.key !== undefined) this.dots.push({ at, key: look.key });
     if (look?.wide) this.spots.push(at);
     if (look?.label) this.texts.push({ at, text: look.label, meaning });
@@ -252,6 +252,16 @@ export class Stage3 implements Stage, Drawing {
     if (look.wide) this.wide.push([from, to]);
     batch.positions.push(...v3(from).toArray(), ...v3(to).toArray());
     if (look.label) this.texts.push({ at: from.map((x, i) => (x + to[i]) / 2), text: look.label, meaning });
+  }
+  /** The points of one look, which are drawn together. */
+  private pointsOf(meaning: Meaning, lit: boolean, { ghost = false, wide = false, small = false }: Look = {}): { positions: number[] } {
+    const kind = `${meaning} ${lit} ${ghost} ${wide} ${small}`;
+    let batch = this.points.get(kind);
+    if (!batch) {
+      batch = { positions: [], meaning, ghost, part: pointWidth * (lit || wide ? 2 : small ? 0.5 : 1), hidden: small && !lit };
+      this.points.set(kind, batch);
+    }
+    return batch;
   }
   /** The lines of one look, which are drawn together. */
   private linesOf(meaning: Meaning, look: Look, onTop = false): { positions: number[] } {
@@ -311,6 +321,7 @@ export class Stage3 implements Stage, Drawing {
     this.drawn.clear();
     this.paints.limit();
     this.lines.clear();
+    this.points.clear();
     this.texts = [];
     this.picks = [];
     this.dots = [];
@@ -337,6 +348,14 @@ export class Stage3 implements Stage, Drawing {
       line.renderOrder = onTop ? 2 : 1;
       line.userData.own = true;
       this.drawn.add(line);
+    }
+    for (const { positions, meaning, ghost, part, hidden } of this.points.values()) {
+      const geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
+      const points = new THREE.Points(geometry, this.paints.of("points", { color: color(meaning), opacity: ghost ? 0.4 : 1, part, depthTest: hidden }, pointMaterial));
+      points.renderOrder = 3;
+      points.frustumCulled = false;
+      points.userData.own = true;
+      this.drawn.add(points);
     }
     this.labels.replaceChildren(...this.texts.map(({ text, meaning }) => h("span", { class: `of-${meaning}` }, text)));
     this.handles.show(handles);
@@ -480,6 +499,12 @@ export class Stage3 implements Stage, Drawing {
   }
 }
 
+/** The material of points that are seen as discs, as wide as a part of the lesser of width and height. */
+function pointMaterial({ part, ...paint }: { color: string; opacity: number; part: number; depthTest: boolean }): THREE.PointsMaterial {
+  const material = new THREE.PointsMaterial({ ...paint, map: disc(), sizeAttenuation: false, transparent: true }), size = new THREE.Vector2();
+  material.onBeforeRender = (renderer) => void (material.size = part * Math.min(...renderer.getSize(size).toArray()));
+  return material;
+}
 const coneGeometry = new THREE.ConeGeometry(1, 1, 16);
 let discTexture: THREE.Texture | null = null;
 function disc(): THREE.Texture {

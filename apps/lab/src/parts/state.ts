@@ -31,8 +31,9 @@ export function parse<T>(text: string | undefined, otherwise: T, accepts: (value
   }
 }
 
-/** The numbers of a camera in an address, with no more digits than can be seen. */
-export const cameraText = (camera: readonly number[]): string => camera.map((x) => Number(x.toPrecision(6))).join(",");
+/** The numbers of a camera in an address, with all digits that they need: rounded, another address would be written as
+ *  soon as this one was opened, and far from the origin another picture shown. */
+export const cameraText = (camera: readonly number[]): string => camera.join(",");
 export function cameraOf(text: string | undefined): number[] | null {
   const numbers = text?.split(",").map(Number) ?? [];
   return numbers.length > 0 && numbers.every(Number.isFinite) ? numbers : null;

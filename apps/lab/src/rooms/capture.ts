@@ -1,26 +1,27 @@
 // A capture: a run of a world or a simulation, frame by frame, forward, back and scrubbed; each frame can be queried as
 // a scene can.
 
-import { button, digits, h, vector } from "../parts/dom.ts";
+import { button, h, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { featureWords } from "../parts/features.ts";
 import { drawer } from "../parts/drawer.ts";
 import { fold } from "../parts/fold.ts";
-import { drawGraph } from "../parts/graph.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, cameraOf, cameraText, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { Timeline } from "../parts/timeline.ts";
-import { bodiesAt, readCapture, type Captured, type CapturedFrame } from "../scene/captured.ts";
+import { bodiesAt, type Captured, type CapturedFrame } from "../scene/captured.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { EventList } from "../scene/events.ts";
 import { Inquiry } from "../scene/inquiry.ts";
 import { captureLayers, whenStepped } from "../scene/layers.ts";
-import type { Scene, SceneBody } from "../scene/model.ts";
+import type { Scene, SceneBody, Tie } from "../scene/model.ts";
 import { firstShown, isShown, type Shown } from "../scene/moment.ts";
-import { askPair, drawFound, drawPair, type AskedPair } from "../scene/pair.ts";
+import { askPair, drawPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, colored, counted, keyOf, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
+import { drawOutcome, graphsOf } from "../scene/picture.ts";
+import { readCapture } from "../scene/replay.ts";
 import { Run } from "../scene/run.ts";
 import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
 import type { Shot } from "../scene/shots.ts";
@@ -128,12 +129,16 @@ export class CaptureRoom implements Room {
   }
   /** For the tests. */
   get shown(): { frame: number; frames: number; bodies: number; pairs: number; selected: number[] } {
-    const { frames } = this.captured, { there, pairs } = this.now;
-    return { frame: this.frame, frames: frames.length, bodies: there.size, pairs: pairs.length, selected: this.selected };
+    const { frames } = this.captured, { there, counts } = this.now;
+    return { frame: this.frame, frames: frames.length, bodies: there.size, pairs: counts.pairs, selected: this.selected };
   }
 
   private get now(): CapturedFrame {
     return this.captured.frames[this.frame];
+  }
+  /** The bodies that sleep in this frame, as far as they are drawn as such. */
+  private get asleep(): ReadonlySet<number> {
+    return (this.layers.has("sleep") && this.now.motion?.asleep) || new Set();
   }
   /** Puts the capture onto the stage and into the lists. */
   private put(): void {
@@ -143,7 +148,7 @@ export class CaptureRoom implements Room {
       ? `From frame ${report.difference.frame} on it comes to something else: call ${report.difference.call}, ${report.difference.what}.`
       : report.cut ? "It ends within a frame, which is left out." : "It comes to the same bits.";
     this.intro.textContent = `A ${kind}: ${frames.length} frames, played again. ${end}`;
-    const usual = bodies.map((body): Meaning => (body.moves ? "a" : "out"));
+    const usual = bodies.map((body): Meaning => (body.trigger ? "trigger" : body.moves ? "a" : "out"));
     this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), usual);
     this.chooser.set(bodies);
   }
@@ -251,25 +256,26 @@ export class CaptureRoom implements Room {
     this.stage.hasGrid = this.layers.has("grid");
     this.stage.crowd.group.visible = this.layers.has("bodies");
     this.stage.crowd.move(poses, there);
-    this.stage.crowd.paint(colored(this.selected));
+    this.stage.crowd.paint(colored(this.selected, this.asleep));
     this.stage.crowd.outline(overlapping(this.layers.has("contacts") ? pairs : [], (i) => this.captured.bodies[i].moves, this.stage.seen));
     this.paint();
-    this.counter.textContent = counted(there.size, pairs);
+    this.counter.textContent = counted(there.size, this.now.counts);
     this.pairs.show(pairRows(pairs, "Pairs in this frame", (i) => this.captured.bodies[i].name, this.selected, (bodies) => this.select(bodies)));
-    this.plot.replaceChildren(drawGraph({ caption: "deepest penetration", at: this.frame,
-      series: [{ name: digits(frames[this.frame].deepest, 3), meaning: "touch", values: frames.map((x) => x.deepest) }] }));
+    this.plot.replaceChildren(...graphsOf({ energy: frames.flatMap(({ motion }) => (motion ? [motion.energy] : [])), depth: frames.map((x) => x.deepest), at: this.frame }));
     // Frames are counted from one, as beside the slider.
     this.events.show(this.frame + 1, (number) => frames[number - 1]?.events, (i) => this.captured.bodies[i].name);
     this.tell();
     this.still.call();
   }
   private paint(): void {
-    const { there, pairs } = this.now;
+    const { there, counts: { pairs } } = this.now;
     this.steps.take(...explained(this.asked?.pair ?? null, this.shooting.aim, this.shot, this.selected));
-    this.stage.draw((d) => this.draw(d), [], `Frame ${this.frame + 1} of ${this.captured.frames.length}: ${there.size} bodies, ${pairs.length} pairs.`);
+    this.stage.draw((d) => this.draw(d), [], `Frame ${this.frame + 1} of ${this.captured.frames.length}: ${there.size} bodies, ${pairs} pairs.`);
   }
   private draw(d: Drawing): void {
-    drawFound(d, this.now.pairs, { selected: this.selected, draws: (layer) => this.layers.has(layer), seen: this.stage.seen });
+    const { pairs, cloud, poses, motion } = this.now;
+    drawOutcome(d, { found: pairs, cloud, joints: motion?.joints ?? [], asleep: this.asleep, place: (body) => Array.from(poses.subarray(7 * body, 7 * body + 3)) },
+      { selected: this.selected, draws: (layer) => this.layers.has(layer), seen: this.stage.seen });
     if (this.shot && this.layers.has("shots")) this.shot.draw(d, this.stage.seen);
     this.steps.draw(d, this.stage.seen);
     if (!this.asked) return;
@@ -277,11 +283,17 @@ export class CaptureRoom implements Room {
     if (selected && this.layers.has("pair")) drawPair(d, run, selected);
     numbers.forEach((_, k) => d.text(run.place(k).translation, k ? "B" : "A", k ? "b" : "made"));
   }
+  /** What the simulation did with some of the bodies, which have their places among them for numbers. */
+  private motionOf(numbers: number[]): { asleep: ReadonlySet<number> | null; joints?: Tie[] } {
+    const { motion } = this.now, at = (body: number | null): number | null => (body === null ? null : numbers.indexOf(body));
+    if (!motion) return { asleep: null };
+    return { asleep: new Set([...numbers.keys()].filter((k) => motion.asleep.has(numbers[k]))), joints: motion.ties.map((tie) => ({ ...tie, a: at(tie.a), b: at(tie.b) })) };
+  }
   /** Shows the answers about the selected bodies where they are, and those that the run itself found. */
   private tell(): void {
     const { asked } = this;
     const name = (i: number): string => this.captured.bodies[i].name;
-    this.inquiry.show(asked && { ...asked, when: this.captured.report.simulation ? whenStepped : "where they are", selected: asked.numbers.map((_, k) => k), partners: (k) => partnersOf(asked.numbers[k], this.now.pairs, name) });
+    this.inquiry.show(asked && { ...asked, ...this.motionOf(asked.numbers), when: this.captured.report.simulation ? whenStepped : "where they are", selected: asked.numbers.map((_, k) => k), partners: (k) => partnersOf(asked.numbers[k], this.now.pairs, name) });
     const [first, other] = this.selected, pair = this.now.pairs.find((p) => this.selected.length === 2 && [p.a, p.b].every((i) => this.selected.includes(i)));
     const turned = pair && pair.a !== first && pair.b !== other;
     const names = turned ? [other, first] : [first, other];

@@ -2,7 +2,7 @@
 
 import { button, digits, h } from "../parts/dom.ts";
 import { drawer } from "../parts/drawer.ts";
-import { saveFile } from "../parts/save.ts";
+import { saveFile, sizeWords } from "../parts/save.ts";
 import { fold } from "../parts/fold.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
@@ -10,6 +10,8 @@ import { address, cameraOf, cameraText, copy, History, parse, whenStill } from "
 import { Table } from "../parts/table.ts";
 import { Scrub } from "../parts/timeline.ts";
 import type { Question, Vec } from "../question.ts";
+import { followersAt, type Animated, type Follower } from "../scene/animation.ts";
+import { AnimationBar } from "../scene/animation-bar.ts";
 import type { Captured } from "../scene/captured.ts";
 import { sceneOfQuestion } from "../scene/asked.ts";
 import { Catalogue } from "../scene/catalogue.ts";
@@ -22,9 +24,9 @@ import { materialFields } from "../scene/materials.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
 import { beginning, changedMaterials, isMoment, isRepeated, isScene, movedBodies, opening, packed, type Moment } from "../scene/moment.ts";
 import { askPair, type AskedPair } from "../scene/pair.ts";
-import { bodiesOf, colored, counted, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
-import { crowdOf, drawOverlay, graphsOf, handlesOf, stagesOf, viewOf } from "../scene/picture.ts";
-import { Play } from "../scene/play.ts";
+import { bodiesOf, colored, counted, countsOf, overlapping, pairRows, partnersOf } from "../scene/pairs.ts";
+import { courseOf, crowdOf, drawOverlay, graphsOf, handlesOf, stagesOf, viewOf } from "../scene/picture.ts";
+import { frame, Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { Settings } from "../scene/settings.ts";
 import { Shooting, shootingButtons, type Kind, type Sight } from "../scene/shooting.ts";
@@ -33,10 +35,12 @@ import { explained, TraceSteps } from "../scene/trace-steps.ts";
 import { Source, type Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
-/** The number of bodies above which contacts are counted and not drawn. */
+/** The number of bodies above which contacts are drawn without their pairs, which cannot be pointed to then. */
 const mostDrawn = 200;
 /** A place alone: an address may hold more beside it. */
 const placed = (of: Place | undefined): Place | undefined => of && { translation: of.translation, rotation: of.rotation };
+/** The part of a follower that a body of a scene has. */
+const shaped = (of: Follower | undefined): Partial<SceneBody> | undefined => of && { translation: of.translation, rotation: of.rotation, shape: of.shape };
 /** Called with a capture that was opened in place of a scene, and with the watched file if it is served. */
 export type OnCapture = (name: string, captured: Captured, served: Served | null) => void;
 
@@ -51,7 +55,10 @@ export class SceneRoom implements Room {
   /** The key of a scene of the list. */
   private key: string | null = null;
   /** The places of the bodies when the scene was opened, and the changes since. */
-  private before: (Place & Pick<SceneBody, "material">)[] = [];
+  private before: (Place & Pick<SceneBody, "material" | "shape">)[] = [];
+  /** The animation and its time, with which the run begins, and the bodies that follow it then. */
+  private animated: Animated | null = null;
+  private followers: ReadonlyMap<number, Follower> = new Map();
   private history = new History<Moment>(beginning);
   /** The pairs that touch, in scenes that are not too large to draw them. */
   private found: Pair[] = [];
@@ -82,6 +89,7 @@ export class SceneRoom implements Room {
   private readonly layers = new Layers(sceneLayers, () => this.changed());
   private readonly still = whenStill(() => this.write());
   private readonly catalogue: Catalogue;
+  private readonly animation = new AnimationBar((at) => this.animate(at), () => this.did(() => {}));
   private readonly toggle = button("Play", () => this.did(() => this.play.toggle()), { class: "accent", "data-play": true });
   private readonly settings = new Settings((changed) => this.set(changed));
   /** The part of the address about a scene that has not come yet, and the key of that scene if the list has it. */
@@ -95,6 +103,7 @@ export class SceneRoom implements Room {
       onStep: () => this.show(), onTrouble: (text) => this.say(text),
       onRunning: (running) => {
         this.toggle.textContent = running ? "Pause" : "Play";
+        if (running) this.animation.stop();
         if (!running) this.showSettings();
       } });
     this.catalogue = new Catalogue((scene, key) => this.opened(scene, key), () => this.source.unwatch());
@@ -141,6 +150,7 @@ export class SceneRoom implements Room {
     this.still.cancel();
     this.source.unwatch();
     this.steps.stop();
+    this.animation.stop();
     this.play.dispose();
     this.stage.dispose();
   }
@@ -167,7 +177,7 @@ export class SceneRoom implements Room {
   private get moment(): Moment {
     const { scene, begun, subSteps, pulled } = this.play, materials = begun?.materials ?? scene.bodies.map(({ material }) => material);
     const { steps, inputs } = this.play.goal ?? { steps: this.play.steps, inputs: this.play.inputs.upTo(this.play.steps) };
-    return { places: movedBodies(scene, this.before), selected: this.selected, subSteps, gravity: begun ? begun.gravity : pulled,
+    return { places: movedBodies(scene, this.before.map((one, i) => this.followers.get(i) ?? one)), animated: this.animated, selected: this.selected, subSteps, gravity: begun ? begun.gravity : pulled,
       materials: changedMaterials(materials, this.before.map(({ material }) => material)), steps, inputs,
       aim: this.shooting.aim, aimed: this.aimed || this.shooting.aim === null, ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
   }
@@ -217,7 +227,8 @@ export class SceneRoom implements Room {
     const { scene } = this.play;
     this.play.subSteps = moment.subSteps;
     this.play.pulled = moment.gravity;
-    for (const [i, body] of scene.bodies.entries()) Object.assign(body, this.before[i], placed(moment.places[i]), moment.materials[i] && { material: moment.materials[i] });
+    this.setAnimated(moment.animated);
+    for (const [i, body] of scene.bodies.entries()) Object.assign(body, this.before[i], shaped(this.followers.get(i)), placed(moment.places[i]), moment.materials[i] && { material: moment.materials[i] });
     this.takeLooks(moment);
   }
   /** Takes over what does not move anything. */
@@ -246,7 +257,7 @@ export class SceneRoom implements Room {
   }
   /** Whether the run that is played came by the moment. */
   private sameRun(moment: Moment): boolean {
-    const of = ({ places, subSteps, gravity, materials }: Moment): string => JSON.stringify([places, subSteps, gravity, materials]);
+    const of = ({ places, animated, subSteps, gravity, materials }: Moment): string => JSON.stringify([places, animated, subSteps, gravity, materials]);
     return of(moment) === of(this.moment) && JSON.stringify(this.play.inputs.upTo(moment.steps)) === JSON.stringify(moment.inputs);
   }
   /** Stops time, and records how far it had gone. */
@@ -292,12 +303,12 @@ export class SceneRoom implements Room {
     this.key = key;
     this.trouble.hidden = true;
     this.shooting.forget();
-    this.before = scene.bodies.map(({ translation, rotation, material }) => ({ translation, rotation, material }));
+    this.before = scene.bodies.map(({ translation, rotation, material, shape }) => ({ translation, rotation, material, shape }));
     try {
       this.play.open(scene);
       const first = moment ?? { ...opening(scene), ...this.kept };
       this.take(first);
-      if (Object.keys(first.places).length > 0 || first.steps > 0 || first.inputs.length > 0) this.play.repeat(first.steps, first.inputs);
+      if (Object.keys(first.places).length > 0 || first.animated || first.steps > 0 || first.inputs.length > 0) this.play.repeat(first.steps, first.inputs);
     } catch (error) {
       this.say(`${scene.name}: ${(error as Error).message}`);
       this.before = this.selected = [];
@@ -313,6 +324,7 @@ export class SceneRoom implements Room {
     this.stage.look(view);
     this.stage.crowd.set(...crowdOf(scene, run.flat, view.reach));
     this.chooser.set(scene.bodies);
+    this.animation.set(scene.animations ?? []);
     this.note.textContent = scene.note ?? "";
     this.showSettings();
   }
@@ -325,6 +337,24 @@ export class SceneRoom implements Room {
     this.trouble.textContent = text;
     this.trouble.hidden = text === null;
     if (text !== null) this.trouble.scrollIntoView({ block: "nearest" });
+  }
+
+  // --- Animations ---
+
+  /** Shows another moment of an animation; a run that was played begins anew there. */
+  private animate(at: Animated): void {
+    if (this.play.run.played) return this.begin({ animated: at });
+    this.setAnimated(at);
+    this.play.run.putAll(this.followers);
+    for (const [i, follower] of this.followers) Object.assign(this.play.scene.bodies[i], shaped(follower));
+    this.show();
+  }
+  /** Takes an animation and its time over, but for its drawing. */
+  private setAnimated(at: Animated | null): void {
+    const { animations = [] } = this.play.scene, animation = animations[at?.number ?? 0];
+    this.animated = animation ? at : null;
+    this.followers = animation && at ? followersAt(animation, at.time, this.before) : new Map();
+    this.play.follows = animation ? { animation, from: at?.time ?? 0 } : null;
   }
 
   // --- Pointer ---
@@ -362,9 +392,10 @@ export class SceneRoom implements Room {
   }
   private show(): void {
     const start = performance.now(), { run, scene, running, steps, first, last } = this.play;
-    this.stage.crowd.move(run.poses());
+    this.stage.crowd.move(run.poses(), undefined, new Map([...this.followers].map(([i, { growth }]) => [i, growth])));
+    this.animation.show({ number: this.animated?.number ?? 0, time: (this.animated?.time ?? 0) + steps * frame }, this.play.speed);
     this.chooser.show(this.selected);
-    // Copying thousands of contacts out of the module takes longer than drawing the bodies.
+    // Copying thousands of pairs out of the module takes longer than a step; their points alone take a tenth of one.
     this.found = this.few ? run.contacts() : [];
     const asleep = this.layers.has("sleep") ? this.play.run.sleeping() : new Set<number>();
     this.stage.crowd.paint(colored(this.selected, asleep));
@@ -372,7 +403,7 @@ export class SceneRoom implements Room {
     this.paint();
     this.scrub.show(steps, first, last, last > 0 ? `${steps} / ${last}` : "");
     this.drawTime = performance.now() - start;
-    if (!running || steps % (this.few ? 6 : 30) === 0) this.tell();
+    if (!(running || this.animation.running) || this.draws % (this.few ? 6 : 30) === 0) this.tell();
   }
   private paint(): void {
     const asleep = this.layers.has("sleep") && this.few ? this.play.run.sleeping() : new Set<number>();
@@ -381,7 +412,8 @@ export class SceneRoom implements Room {
     this.shot = this.shoot();
     this.steps.take(...explained(this.pair, this.shooting.aim, this.shot, this.selected));
     const { play, found, selected, pair, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
-    const overlay = { found, selected, pair, shot: this.shot, asleep, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
+    const overlay = { found, cloud: few ? null : run.cloud(), selected, pair, shot: this.shot, asleep, joints: this.layers.has("joints") ? run.jointLines() : [],
+      place: (body: number) => run.place(body).translation, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
     this.draws++;
     this.stage.hasGrid = this.layers.has("grid");
     this.stage.crowd.group.visible = this.layers.has("bodies");
@@ -414,7 +446,8 @@ export class SceneRoom implements Room {
     try {
       const frames = await this.play.captured(), name = `${this.key ?? "scene"}.capture`;
       saveFile(name, frames);
-      this.done.textContent = `${name}: ${frames.length} frames.`;
+      const { steps } = this.play, bytes = frames.reduce((sum, { length }) => sum + length, 0);
+      this.done.textContent = `${name}: ${steps} ${steps === 1 ? "step" : "steps"}, ${digits(steps * frame, 3)} s, ${sizeWords(bytes)}.`;
     } catch (error) {
       this.done.textContent = "";
       this.say((error as Error).message);
@@ -432,15 +465,15 @@ export class SceneRoom implements Room {
   }
   private tell(): void {
     const { scene, run, stepTime, stages } = this.play, found = this.few ? this.found : run.contacts();
-    this.counter.textContent = counted(scene.bodies.length, found) +
+    this.counter.textContent = counted(scene.bodies.length, countsOf(found)) +
       (run.played ? ` · step ${digits(stepTime, 3)} ms${stages ? ` (${stagesOf(stages)})` : ""} · drawing ${digits(this.drawTime, 3)} ms` : "");
     this.pairs.show(pairRows(found, "Pairs in contact", (i) => scene.bodies[i]?.name ?? String(i), this.selected, (bodies) => this.select(bodies)));
-    this.plot.replaceChildren(...graphsOf(this.play));
+    this.plot.replaceChildren(...graphsOf(courseOf(this.play)));
     if (!this.play.running) this.showSettings(); // else a field is not overwritten while somebody writes in it
     const [i] = this.selected;
     this.materials.replaceChildren(...(i === undefined ? [] : materialFields(scene.bodies[i], (material) => this.setMaterial(i, material))));
     this.events.show(this.play.steps, (step) => this.play.eventsOf(step), (body) => scene.bodies[body]?.name ?? "the world");
-    this.inquiry.show({ run, bodies: scene.bodies, joints: scene.joints, selected: this.selected, pair: this.pair, when: run.played && this.play.steps > 0 ? whenStepped : "where they are",
+    this.inquiry.show({ run, bodies: scene.bodies, joints: scene.joints, selected: this.selected, pair: this.pair, asleep: run.played ? run.sleeping() : null, when: run.played && this.play.steps > 0 ? whenStepped : "where they are",
       partners: (body) => partnersOf(body, found, (other) => scene.bodies[other].name) });
     if (this.shot && (this.aimed || i === undefined)) this.inquiry.answer(this.shot);
   }
@@ -463,7 +496,7 @@ export class SceneRoom implements Room {
             button("Step back", () => this.did(() => this.play.back()), { "data-back": true }), this.toggle,
             button("One step", () => this.did(() => this.play.step()), { "data-step": true }), button("Start again", () => this.begin()), this.settings.speed,
             this.scrub.slider, this.scrub.where),
-            this.counter), handle, this.layers.element,
+            this.animation.element, this.counter), handle, this.layers.element,
           h("p", { class: "actions" }, this.undoes, this.redoes,
             button("Copy permalink", () => this.copyAddress(), { "data-permalink": true }),
             button("Save the run as a capture", () => void this.save(), { "data-save": true })), this.done),

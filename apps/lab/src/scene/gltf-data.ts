@@ -22,11 +22,12 @@ export interface Node {
     joint?: { connectedNode: number; joint: number; enableCollision?: boolean };
   } };
 }
-interface Accessor { bufferView?: number; byteOffset?: number; componentType: number; count: number; type: string }
+interface Accessor { bufferView?: number; byteOffset?: number; componentType: number; normalized?: boolean; count: number; type: string }
 export interface Gltf {
   asset?: { version?: string };
   nodes?: Node[]; scenes?: { nodes?: number[] }[]; scene?: number;
   meshes?: { primitives: { attributes: Record<string, number>; indices?: number; mode?: number }[] }[];
+  animations?: { name?: string; channels: { sampler: number; target: { node?: number; path: string } }[]; samplers: { input: number; output: number; interpolation?: string }[] }[];
   accessors?: Accessor[]; bufferViews?: { buffer: number; byteOffset?: number; byteStride?: number; byteLength: number }[]; buffers?: { uri?: string; byteLength: number }[];
   extensions?: {
     KHR_implicit_shapes?: { shapes: Shape[] };
@@ -50,16 +51,21 @@ export function buffersOf(gltf: Gltf, binary: ArrayBuffer | null, beside: File[]
   }));
 }
 
-const widths: Record<number, [number, (view: DataView, at: number) => number]> = {
-  5121: [1, (v, at) => v.getUint8(at)], 5123: [2, (v, at) => v.getUint16(at, true)], 5125: [4, (v, at) => v.getUint32(at, true)], 5126: [4, (v, at) => v.getFloat32(at, true)] };
+/** The kinds of numbers: their bytes, how one is read, and the largest of those that may stand for parts of one. */
+const kinds: Record<number, [bytes: number, read: (view: DataView, at: number) => number, largest?: number]> = {
+  5120: [1, (v, at) => v.getInt8(at), 127], 5121: [1, (v, at) => v.getUint8(at), 255], 5122: [2, (v, at) => v.getInt16(at, true), 32767], 5123: [2, (v, at) => v.getUint16(at, true), 65535],
+  5125: [4, (v, at) => v.getUint32(at, true)], 5126: [4, (v, at) => v.getFloat32(at, true)] };
+const sizes: Record<string, number> = { SCALAR: 1, VEC3: 3, VEC4: 4 };
 
-function readAccessor(gltf: Gltf, data: ArrayBuffer[], number: number): Vec[] {
-  const accessor = gltf.accessors?.[number], view = accessor && gltf.bufferViews?.[accessor.bufferView ?? -1], wide = accessor && widths[accessor.componentType];
+/** The values of an accessor, each with its numbers. */
+export function numbersOf(gltf: Gltf, data: ArrayBuffer[], number: number): Vec[] {
+  const accessor = gltf.accessors?.[number], view = accessor && gltf.bufferViews?.[accessor.bufferView ?? -1], wide = accessor && kinds[accessor.componentType];
   if (!accessor || !view || !wide || !data[view.buffer]) throw new Unreadable(`accessors[${number}]: cannot be read`);
-  const size = accessor.type === "SCALAR" ? 1 : accessor.type === "VEC3" ? 3 : 0, stride = view.byteStride ?? wide[0] * size;
+  const size = sizes[accessor.type] ?? 0, stride = view.byteStride ?? wide[0] * size;
   const start = (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0), bytes = new DataView(data[view.buffer]);
   if (!size || accessor.count > 5e6 || start + stride * (accessor.count - 1) + wide[0] * size > bytes.byteLength) throw new Unreadable(`accessors[${number}]: reaches beyond its buffer`);
-  return Array.from({ length: accessor.count }, (_, i) => Array.from({ length: size }, (_, k) => wide[1](bytes, start + i * stride + k * wide[0])));
+  const [width, read, largest] = wide, part = accessor.normalized && largest ? (x: number): number => Math.max(-1, x / largest) : (x: number): number => x;
+  return Array.from({ length: accessor.count }, (_, i) => Array.from({ length: size }, (_, k) => part(read(bytes, start + i * stride + k * width))));
 }
 
 /** The triangles of a mesh under a scale; its other primitives are left out. */
@@ -67,9 +73,9 @@ export function trianglesOf(gltf: Gltf, data: ArrayBuffer[], mesh: number, scale
   const points: Vec[] = [], triangles: number[][] = [];
   for (const part of gltf.meshes?.[mesh]?.primitives ?? []) {
     if ((part.mode ?? 4) !== 4) continue;
-    const from = points.length, own = readAccessor(gltf, data, part.attributes.POSITION);
+    const from = points.length, own = numbersOf(gltf, data, part.attributes.POSITION);
     for (const p of own) points.push(p.map((x, k) => x * scale[k]));
-    const index = part.indices === undefined ? own.map((_, i) => i) : readAccessor(gltf, data, part.indices).flat();
+    const index = part.indices === undefined ? own.map((_, i) => i) : numbersOf(gltf, data, part.indices).flat();
     for (let i = 0; i + 2 < index.length; i += 3) triangles.push([index[i] + from, index[i + 1] + from, index[i + 2] + from]);
   }
   return { points, triangles };

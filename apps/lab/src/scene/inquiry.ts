@@ -8,7 +8,7 @@ import { address, copy } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import type { Question } from "../question.ts";
 import { unmet } from "./meeting.ts";
-import type { Scene, SceneBody } from "./model.ts";
+import type { SceneBody, Tie } from "./model.ts";
 import { lessonsOf, type AskedPair } from "./pair.ts";
 import { propertiesOf, type Partner } from "./properties.ts";
 import type { Run } from "./run.ts";
@@ -18,7 +18,7 @@ import type { Shot } from "./shots.ts";
 export interface Selection {
   run: Run;
   bodies: SceneBody[];
-  joints?: Scene["joints"];
+  joints?: Tie[];
   selected: number[];
   /** The relation of two selected bodies. */
   pair: AskedPair | null;
@@ -26,6 +26,8 @@ export interface Selection {
   partners: (body: number) => Partner[];
   /** The poses at which they were found. */
   when: string;
+  /** The bodies that sleep; null where nothing is played. */
+  asleep: ReadonlySet<number> | null;
 }
 
 export class Inquiry {
@@ -66,13 +68,13 @@ export class Inquiry {
       this.table.show(undefined);
     } else if (!of.pair) {
       this.tell(of.bodies[first].name, "Click another to see what the two have to do with each other.");
-      this.table.show(propertiesOf(of.run, of.bodies[first], first, of.partners(first), of.when));
+      this.table.show(propertiesOf(of.run, of.bodies[first], first, of.partners(first), of.when, of.asleep));
     } else {
       this.explain(of, of.pair);
     }
   }
   private explain(of: Selection, { bodies: [i, j], question, distance }: AskedPair): void {
-    const { bodies, run } = of, answer = ask(question), why = unmet(of, i, j, run.played);
+    const { bodies } = of, answer = ask(question), why = unmet(of, i, j, of.asleep !== null);
     const touch = !answer.overlap ? "They are apart" : why ? "They overlap" : "They touch";
     this.tell(`${bodies[i].name} and ${bodies[j].name}`,
       answer.error ?? distance.error ?? `${touch}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`,

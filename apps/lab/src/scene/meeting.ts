@@ -2,10 +2,10 @@
 // neither moves.
 
 import { graze } from "../graze.ts";
-import { filterParts } from "./filters.ts";
-import type { Scene, SceneBody } from "./model.ts";
+import { filterParts, filterTaken, type BodyFilter } from "./filters.ts";
+import type { SceneBody, Tie } from "./model.ts";
 
-type Filter = SceneBody["filter"];
+type Filter = BodyFilter | undefined;
 const known = new Map<string, boolean>();
 
 /** Whether a world of the library takes two bodies with these filters for a pair. */
@@ -14,7 +14,7 @@ function allowed(a: Filter, b: Filter): boolean {
   if (before !== undefined) return before;
   const world = new graze.World(), ball = new graze.Sphere(1);
   try {
-    for (const filter of [a, b]) world.add({ shape: ball, ...(filter ? { filter } : {}) });
+    for (const filter of [a, b]) world.add({ shape: ball, ...(filter ? { filter: filterTaken(filter) } : {}) });
     world.update();
     const met = world.contacts().length > 0;
     known.set(key, met);
@@ -30,9 +30,8 @@ const filterWords = (filter: Filter): string =>
 
 /** A sentence about two bodies that do not push each other, whatever their distance; null about others. `played`:
  *  whether joints hold. */
-export function unmet({ bodies, joints = [] }: Pick<Scene, "bodies" | "joints">, i: number, j: number, played: boolean): string | null {
+export function unmet({ bodies, joints = [] }: { bodies: SceneBody[]; joints?: Tie[] }, i: number, j: number, played: boolean): string | null {
   const [a, b] = [bodies[i], bodies[j]];
-  if (a.captured || b.captured) return null;
   if (!allowed(a.filter, b.filter))
     return `The filter excludes this pair: no contact is reported, and nothing is pushed. A has ${filterWords(a.filter)}; B has ${filterWords(b.filter)}.`;
   if (!a.moves && !b.moves) return "Both stand: no contact of theirs is looked for.";

@@ -2,6 +2,8 @@
 
 import type { graze } from "../graze.ts";
 import type { Body, Question, Shape, Vec } from "../question.ts";
+import type { Animation } from "./animation.ts";
+import type { BodyFilter } from "./filters.ts";
 
 /** Poses and velocities are those of space in the plane too, with z = 0 and turns about Z. Velocities are of the
  *  origin. */
@@ -17,21 +19,21 @@ export interface SceneBody extends Body {
   aboutCenter?: boolean;
   dynamics?: graze.Dynamics | graze.plane.Dynamics;
   trigger?: boolean;
-  /** Whether it is of a frame of a capture: its filter is not known. */
-  captured?: boolean;
-  filter?: { category: number; mask: number; group?: number };
+  filter?: BodyFilter;
   material?: graze.Material | graze.plane.Material;
 }
-/** Ties two bodies, or one to the world where the other is null. */
-export interface SceneJoint {
+/** Two bodies that are tied, or one that is tied to the world where the other is null. */
+export interface Tie {
   a: number | null;
   b: number | null;
+  enableCollision?: boolean;
+}
+export interface SceneJoint extends Tie {
   /** The joint's frame on either, in the world, when the scene begins. */
   frames: [{ translation: Vec; rotation: Vec }, { translation: Vec; rotation: Vec }];
   kind?: "ball" | "hinge" | "fixed" | "slider";
   limits?: graze.JointLimit[];
   drives?: graze.JointDrive[];
-  enableCollision?: boolean;
 }
 export interface Scene {
   name: string;
@@ -40,6 +42,7 @@ export interface Scene {
   dimension?: 2;
   gravity?: Vec;
   joints?: SceneJoint[];
+  animations?: Animation[];
   /** The question that the scene was made of, whose bodies are its own in their order. */
   question?: Question;
   view?: { center: Vec; reach: number; from?: Vec };

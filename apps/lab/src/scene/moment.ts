@@ -2,6 +2,7 @@
 
 import { speeds } from "../parts/timeline.ts";
 import type { Vec } from "../question.ts";
+import type { Animated } from "./animation.ts";
 import { asksMore } from "./asked.ts";
 import { isPlace, isVector } from "./checks.ts";
 import { areInputs, type Input } from "./inputs.ts";
@@ -27,6 +28,8 @@ type Material = NonNullable<SceneBody["material"]>;
 export interface Moment extends Shown {
   /** The places of the bodies that do not stand where the scene has them, by number. */
   places: Record<number, Place>;
+  /** The animation and its time, with which the run began; null for the first one's beginning. */
+  animated: Animated | null;
   subSteps: number;
   /** The gravity that somebody set, with which the run began; null for the scene's own. */
   gravity: Vec | null;
@@ -41,7 +44,7 @@ export interface Moment extends Shown {
 }
 
 export const firstShown: Shown = { selected: [], explained: "distance", traceStep: -1, speed: 1, layers: [] };
-export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: null, materials: {}, steps: 0, inputs: [], aim: null, aimed: true };
+export const beginning: Moment = { ...firstShown, places: {}, animated: null, subSteps: 8, gravity: null, materials: {}, steps: 0, inputs: [], aim: null, aimed: true };
 /** The moment at which a scene is opened: one that was made of a question answers it. */
 export function opening({ question, bodies }: Scene): Moment {
   if (!question) return beginning;
@@ -60,8 +63,9 @@ export function isShown(value: unknown): boolean {
 const mostSteps = 36000;
 /** Whether a value of an address is one of a scene's moment, likewise. */
 export function isMoment(value: unknown): boolean {
-  const { places, subSteps, gravity, materials, steps, inputs, aim, aimed } = { ...beginning, ...(value as Partial<Moment> | null) };
+  const { places, animated, subSteps, gravity, materials, steps, inputs, aim, aimed } = { ...beginning, ...(value as Partial<Moment> | null) };
   return isShown(value) && typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
+    (animated === null || (Number.isInteger(animated.number) && animated.number >= 0 && Number.isFinite(animated.time) && animated.time >= 0)) &&
     [1, 2, 4, 8, 16].includes(subSteps) && (gravity === null || isVector(gravity)) && isAim(aim) && typeof aimed === "boolean" &&
     typeof materials === "object" && materials !== null && Object.values(materials).every((one) => typeof one === "object") &&
     Number.isInteger(steps) && steps >= 0 && steps <= mostSteps && areInputs(inputs);

@@ -2,14 +2,16 @@
 // with a motion are one body.
 
 import * as THREE from "three";
-import { graze, shapeOf, whole } from "../graze.ts";
+import { whole, type graze } from "../graze.ts";
 import { quatMultiply, rotate } from "../parts/vec.ts";
 import type { Body, Shape, Vec } from "../question.ts";
+import { readAnimations } from "./gltf-animation.ts";
 import { filtersOf, type NamedFilter } from "./filters.ts";
 import { buffersOf, trianglesOf, type Drive, type Gltf, type Limit, type Motion, type Node } from "./gltf-data.ts";
 import { meshShape, Unreadable } from "./meshes.ts";
 import type { Scene, SceneBody, SceneJoint } from "./model.ts";
 import { seenFrom, type Place } from "./run.ts";
+import { scaled } from "./scaled.ts";
 
 /** A node in its place, and the node above it, or itself, that moves it. */
 interface Placed extends Place {
@@ -19,23 +21,6 @@ interface Placed extends Place {
   mover: number | null;
   /** The node above it. */
   above: number | null;
-}
-
-/** A shape of KHR_implicit_shapes under its node's scale: such a shape again, an ellipsoid, or the hull of its
- *  picture. */
-function scaled(shape: Shape, scale: Vec): Shape {
-  const [x, y, z] = scale.map(Math.abs), near = (p: number, q: number): boolean => Math.abs(p - q) <= 1e-6 * Math.max(p, q);
-  if ([x, y, z].every((s) => near(s, 1))) return shape;
-  const m = shape[shape.type] as { radius: number; size: Vec; height: number; radiusBottom: number; radiusTop: number };
-  const round = { height: m.height * y, radiusBottom: m.radiusBottom * x, radiusTop: m.radiusTop * x };
-  if (shape.type === "box") return { type: "box", box: { size: [m.size[0] * x, m.size[1] * y, m.size[2] * z] } };
-  if (shape.type === "sphere") return near(x, y) && near(y, z) ? { type: "sphere", sphere: { radius: m.radius * x } } : { type: "ellipsoid", ellipsoid: { radii: [m.radius * x, m.radius * y, m.radius * z] } };
-  if (shape.type === "cylinder" && near(x, z)) return { type: "cylinder", cylinder: round };
-  if (shape.type === "capsule" && near(x, y) && near(y, z)) return { type: "capsule", capsule: round };
-  const points: Vec[] = [], made = shapeOf(shape);
-  graze.draw.shape(made, {}, { triangle: (a, b, c) => points.push(...[a, b, c].map((p) => [p[0] * x, p[1] * y, p[2] * z])) });
-  made.dispose();
-  return { type: "convex", convex: { points } };
 }
 
 const axes = ["x", "y", "z"] as const;
@@ -53,6 +38,8 @@ class GltfReader {
   private readonly bodies: SceneBody[] = [];
   /** The fixed bodies, by the nodes of their colliders. */
   private readonly standing = new Map<number, number>();
+  /** The node of each body, whose frame is the body's. */
+  private readonly frames: number[] = [];
   /** The bodies of the nodes that move. */
   private readonly bodyOf = new Map<number, number>();
 
@@ -78,9 +65,22 @@ class GltfReader {
     for (const parts of groups.values()) this.bodies.push(this.bodyOfParts(parts));
     if (this.bodies.length === 0) throw new Unreadable("the scene has no colliders and no meshes");
     const joints = [...this.placed.values()].flatMap((at) => this.joint(at));
-    return { name, bodies: this.bodies, joints };
+    const animations = readAnimations(this.gltf, this.data, this.frames.map((node) => this.chain(node)));
+    for (const { moves } of animations) for (const { body } of moves) this.follow(this.bodies[body]);
+    return { name, bodies: this.bodies, joints, ...(animations.length > 0 ? { animations } : {}) };
   }
 
+  /** The nodes from the root to a node. */
+  private chain(node: number): number[] {
+    const { above } = this.placed.get(node)!;
+    return above === null ? [node] : [...this.chain(above), node];
+  }
+  /** Makes a body that an animation moves one that nothing else does, unless it has a motion of its own. */
+  private follow(body: SceneBody): void {
+    if (body.moves) return;
+    body.moves = true;
+    body.dynamics = { kinematic: true };
+  }
   private get physics() {
     return this.gltf.extensions?.KHR_physics_rigid_bodies;
   }
@@ -114,7 +114,9 @@ class GltfReader {
 
   /** The body of several shapes: children in the frame of the first. */
   private bodyOfParts(parts: { at: Placed; shape: Shape }[]): SceneBody {
-    const [{ at, shape }] = parts, rigid = this.rigid(at), filter = (rigid?.collider ?? rigid?.trigger)?.collisionFilter;
+    const [{ at, shape }] = parts;
+    this.frames.push(at.number);
+    const rigid = this.rigid(at), filter = (rigid?.collider ?? rigid?.trigger)?.collisionFilter;
     const material = rigid?.collider?.physicsMaterial, mover = rigid?.trigger ? null : at.mover;
     const children = parts.map((part): Body => ({ shape: part.shape, ...seenFrom(at, part.at) }));
     if (mover !== null) this.bodyOf.set(mover, this.bodies.length);

@@ -85,6 +85,12 @@ export interface Contacts {
   /** Half of the height that is seen. */
   seen: number;
 }
+/** The meaning of a point of contact by its distance. */
+const meaningOf = (distance: number): Meaning => (distance <= 0 ? "touch" : "axis");
+/** Draws points of contact without their pairs, as `cloudOf` gives them. */
+export function drawCloud(d: Drawing, cloud: Float32Array): void {
+  for (let i = 0; i < cloud.length; i += 4) d.point([cloud[i], cloud[i + 1], cloud[i + 2]], meaningOf(cloud[i + 3]), { small: true });
+}
 /** Draws the points of contact, each pair by the key of its row, and the normal from the middle of each manifold; where
  *  bodies are selected, only theirs. */
 export function drawFound(d: Drawing, pairs: Pair[], { selected, draws, seen }: Contacts): void {
@@ -93,6 +99,6 @@ export function drawFound(d: Drawing, pairs: Pair[], { selected, draws, seen }: 
     for (const manifold of pair.manifolds)
       drawManifold(d, manifold, {
         size: 1.2 * seen, look: { key: keyOf(pair) }, as: { normal: normals ? "axis" : null },
-        contact: (i) => (!draws("contacts") ? null : manifold.points[i].distance <= 0 ? "touch" : "axis") });
+        contact: (i) => (!draws("contacts") ? null : meaningOf(manifold.points[i].distance)) });
   }
 }

@@ -22,8 +22,12 @@ export const keyOf = (pair: { a: number; b: number }): string => `${pair.a} ${pa
 /** The bodies of such a key; none for another one. */
 export const bodiesOf = (key: string | null): number[] => (key && /^\d+ \d+$/.test(key) ? key.split(" ").map(Number) : []);
 /** The counts in words: "16 bodies · 12 pairs · 48 contacts". */
-export const counted = (bodies: number, pairs: Pair[]): string =>
-  `${bodies} bodies · ${pairs.length} pairs · ${pairs.reduce((sum, p) => sum + pointsOf(p), 0)} contacts`;
+export const counted = (bodies: number, { pairs, points }: Counts): string => `${bodies} bodies · ${pairs} pairs · ${points} contacts`;
+export interface Counts {
+  pairs: number;
+  points: number;
+}
+export const countsOf = (pairs: Pair[]): Counts => ({ pairs: pairs.length, points: pairs.reduce((sum, p) => sum + pointsOf(p), 0) });
 
 /** The pairs of a body, with the name of the other. */
 export const partnersOf = (body: number, pairs: Pair[], name: (body: number) => string): Partner[] =>

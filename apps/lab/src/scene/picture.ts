@@ -11,9 +11,9 @@ import type { Vec } from "../question.ts";
 import { placesIn } from "./asked.ts";
 import { axes } from "./drag.ts";
 import type { Scene } from "./model.ts";
-import { drawFound, drawPair, type AskedPair } from "./pair.ts";
+import { drawCloud, drawFound, drawPair, type AskedPair, type Contacts } from "./pair.ts";
 import type { Play } from "./play.ts";
-import { reachOf, type Pair, type Run, type Stages } from "./run.ts";
+import { reachOf, type JointLine, type Pair, type Run, type Stages } from "./run.ts";
 import type { Shot } from "./shots.ts";
 
 /** A view of everything. */
@@ -43,26 +43,32 @@ export function crowdOf({ bodies }: Scene, flat: boolean, reach: number): [Looks
 }
 /** The number of bodies above which those that sleep have their colour alone. */
 const mostSigned = 40;
-/** The things that are drawn on top of the bodies, among them `found`, pairs that touch. */
-export interface Overlay {
+/** The things that a step came to: pairs that touch, lines of joints, and bodies that sleep, with the place of each. */
+export interface Outcome {
   found: Pair[];
-  selected: number[];
+  /** In place of the points of pairs where there are too many of these: places and distances, as `cloudOf` gives them. */
+  cloud: Float32Array | null;
+  joints: JointLine[];
+  asleep: ReadonlySet<number>;
+  place: (body: number) => Vec;
+}
+/** Draws the outcome of a step of a simulation, which is played or was captured. */
+export function drawOutcome(d: Drawing, { found, cloud, joints, asleep, place }: Outcome, drawn: Contacts): void {
+  if (!cloud) drawFound(d, found, drawn);
+  else if (drawn.draws("contacts")) drawCloud(d, cloud);
+  if (drawn.draws("joints")) for (const { from, to, gap } of joints) d.line(from, to, gap ? "touch" : "ink", { wide: gap });
+  if (drawn.draws("sleep") && asleep.size <= mostSigned) for (const body of asleep) d.text(place(body), "z", "ink");
+}
+/** The things that are drawn on top of the bodies of a scene. */
+export interface Overlay extends Outcome, Contacts {
   /** The facts about two selected bodies. */
   pair: AskedPair | null;
   shot: Shot | null;
-  /** The bodies that sleep. */
-  asleep: ReadonlySet<number>;
-  /** Whether a layer is drawn, by its id in `sceneLayers`. */
-  draws: (layer: string) => boolean;
-  /** Half of the height that is seen. */
-  seen: number;
 }
-export function drawOverlay(d: Drawing, play: Play, { found, selected, pair, shot, asleep, draws, seen }: Overlay): void {
-  const { run, pull } = play;
-  drawFound(d, found, { selected, draws, seen });
+export function drawOverlay(d: Drawing, play: Play, overlay: Overlay): void {
+  const { run, pull } = play, { selected, pair, shot, draws, seen } = overlay;
+  drawOutcome(d, overlay, overlay);
   if (draws("broad")) run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
-  if (draws("joints")) run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
-  if (asleep.size <= mostSigned) for (const body of asleep) d.text(run.place(body).translation, "z", "ink");
   const [first, other] = selected;
   for (const { id, at } of handlesOf(play, first, seen)) if (axes[id]) d.line(run.place(first).translation, at, "made", { ghost: true });
   if (pair && draws("pair")) drawPair(d, run, pair);
@@ -86,11 +92,20 @@ export function stagesOf({ collideMs, prepareMs, solveMs, continuousMs }: Stages
   const parts: [string, number][] = [["collide", collideMs], ["prepare", prepareMs], ["solve", solveMs], ["continuous", continuousMs]];
   return parts.filter(([, ms]) => ms > 0).map(([name, ms]) => `${name} ${digits(ms, 2)}`).join(", ");
 }
-/** Energy and deepest penetration over the last steps. */
-export function graphsOf({ energy, depth, steps, last }: Play): Node[] {
-  if (last < 2) return [];
-  // The last five seconds, or those about the step that is shown.
-  const from = Math.max(0, Math.min(last - 300, steps - 150)), tail = (v: number[]): number[] => v.slice(from, from + 300), at = Math.max(0, steps - 1 - from);
-  return [drawGraph({ caption: "energy", at, series: [{ name: digits(energy[Math.max(0, steps - 1)], 4), meaning: "made", values: tail(energy) }] }),
-    drawGraph({ caption: "deepest penetration", at, series: [{ name: digits(depth[Math.max(0, steps - 1)], 3), meaning: "touch", values: tail(depth) }] })];
+/** Values of a run after each of its steps, and the place among them of the one that is shown. */
+export interface Course {
+  energy: number[];
+  depth: number[];
+  at: number;
+}
+/** The last five seconds of what is played, or those about the step that is shown. */
+export function courseOf({ energy, depth, steps, last }: Play): Course {
+  const from = Math.max(0, Math.min(last - 300, steps - 150)), tail = (v: number[]): number[] => v.slice(from, from + 300);
+  return { energy: tail(energy), depth: tail(depth), at: Math.max(0, steps - 1 - from) };
+}
+/** Graphs of energy, where there is one, and of the deepest penetration. */
+export function graphsOf({ energy, depth, at }: Course): Node[] {
+  const graph = (caption: string, values: number[], meaning: Meaning, shown: number): Node[] =>
+    values.length > 1 ? [drawGraph({ caption, at, series: [{ name: digits(values[at], shown), meaning, values }] })] : [];
+  return [...graph("energy", energy, "made", 4), ...graph("deepest penetration", depth, "touch", 3)];
 }

@@ -3,13 +3,15 @@
 
 import type { graze } from "../graze.ts";
 import type { Vec } from "../question.ts";
+import { followersAt, type Animation } from "./animation.ts";
 import { sorted, type StepEvents } from "./events.ts";
 import { act, Inputs, possible, type Action, type Input, type Pull } from "./inputs.ts";
 import { KeptStates } from "./kept.ts";
 import { usualGravity, type Scene } from "./model.ts";
 import { Run, type Stages } from "./run.ts";
 
-const frame = 1 / 60;
+/** The seconds of a step. */
+export const frame = 1 / 60;
 /** The milliseconds that a run that is repeated takes between two pictures. */
 const slice = 40;
 const nothing: Scene = { name: "empty", bodies: [] };
@@ -33,6 +35,8 @@ export class Play {
   subSteps = 8;
   /** The gravity that somebody set; null for the scene's own. */
   pulled: Vec | null = null;
+  /** The animation that kinematic bodies follow, and its time when the run begins. */
+  follows: { animation: Animation; from: number } | null = null;
   /** The number of steps for each picture. */
   speed = 1;
   /** The number of steps that were made, and that up to which it was played. */
@@ -176,6 +180,7 @@ export class Play {
         for (const input of inputs.at(step)) act(run, input);
         const pull = inputs.pullAt(step);
         if (pull) run.pull(pull.body, pull.to);
+        this.lead(run, step + 1);
         run.step(frame);
         if (performance.now() < until) continue;
         await new Promise(requestAnimationFrame);
@@ -246,9 +251,14 @@ export class Play {
       scene.bodies[body].material = set;
     }
   }
+  /** Sends the bodies that follow the animation to where they are after so many steps. */
+  private lead(run: Run, steps: number): void {
+    if (this.follows) run.follow(followersAt(this.follows.animation, this.follows.from + steps * frame, this.scene.bodies), frame);
+  }
   private onward(): void {
     const { pull, run } = this;
     if (pull) run.pull(pull.body, pull.to);
+    this.lead(run, this.steps + 1);
     const start = performance.now();
     const { energy, deepest, stages } = run.step(frame);
     this.stages = stages;

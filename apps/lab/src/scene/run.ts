@@ -5,6 +5,7 @@ import { graze, planeShapeOf, poseOf, shapeOf } from "../graze.ts";
 import { add, cross, inverse, length, quatMultiply, scale, sub, toLocal, toWorld } from "../parts/vec.ts";
 import type { Body, Shape, Vec } from "../question.ts";
 import type { ContactEvent } from "./events.ts";
+import { filterTaken } from "./filters.ts";
 import type { Scene, SceneBody } from "./model.ts";
 
 export interface Place {
@@ -24,6 +25,31 @@ export interface Hit {
   normal: Vec;
 }
 
+type PointRows = Pick<graze.Rows<unknown>, "view" | "length" | "stride" | "offset">;
+/** The places and distances of points of contact, four numbers for each. */
+export function cloudOf({ view, length, stride, offset }: PointRows): Float32Array {
+  const cloud = new Float32Array(4 * length), { a, b, distance, weight } = offset, dimension = b - a;
+  for (let i = 0, p = 0; i < length; i++, p += stride) {
+    for (let k = 0; k < dimension; k++) cloud[4 * i + k] = view[p + a + k] + (view[p + b + k] - view[p + a + k]) * view[p + weight];
+    cloud[4 * i + 3] = view[p + distance];
+  }
+  return cloud;
+}
+/** A line from a body of a joint to its anchor, or the gap between its two anchors. */
+export interface JointLine {
+  from: Vec;
+  to: Vec;
+  gap: boolean;
+}
+/** The lines of joints as the library draws a simulation by `draw`. */
+export function jointLinesOf(draw: (on: graze.Renderer) => void): JointLine[] {
+  const lines: JointLine[] = [];
+  draw({ layers: ["joints"], line: (from, to, _, meaning) => lines.push({ from, to, gap: meaning === "gap" }) });
+  return lines;
+}
+/** The energy of all bodies. */
+export const energyOf = ({ kineticEnergy, potentialEnergy }: { kineticEnergy: number; potentialEnergy: number }): number => kineticEnergy + potentialEnergy;
+
 /** The times of the parts of a step, in milliseconds. */
 export interface Stages {
   collideMs: number;
@@ -37,6 +63,7 @@ interface AnyQueries {
   pose(id: graze.BodyId): { translation: Vec; rotation: Vec | number };
   poses(): ArrayLike<number>;
   contacts(): Pair[];
+  points(): PointRows;
   events(): graze.ContactEvent[];
   raycast(ray: object, options?: object): { body: graze.BodyId; hit: Omit<Hit, "body"> } | null;
   cast(moving: object, options?: object): { body: graze.BodyId; hit: Omit<Hit, "body"> } | null;
@@ -44,6 +71,7 @@ interface AnyQueries {
 interface AnyWorld extends AnyQueries {
   add(body: object): graze.BodyId;
   move(id: graze.BodyId, pose: object): void;
+  setShape(id: graze.BodyId, shape: AnyShape): void;
   update(): void;
   dispose(): void;
 }
@@ -56,6 +84,7 @@ interface AnySimulation {
   restore(state: graze.State): void;
   report(): { kineticEnergy: number; potentialEnergy: number; deepest: number } & Stages;
   setPose(id: graze.BodyId, pose: object): void;
+  moveTo(id: graze.BodyId, pose: object, dt: number): void;
   setVelocity(id: graze.BodyId, velocity: object): void;
   setMaterial(id: graze.BodyId, material: object): void;
   setGravity(gravity: Vec): void;
@@ -131,6 +160,9 @@ export function placesOfPlane(poses: ArrayLike<number>): Float64Array {
   return made;
 }
 
+/** The number of shapes that are known at most: one that grows is another at every moment. */
+const mostShapes = 2000;
+
 export class Run {
   readonly flat: boolean;
   private readonly scene: Scene;
@@ -157,7 +189,7 @@ export class Run {
   dispose(): void {
     this.simulation?.dispose();
     this.world?.dispose();
-    for (const shape of this.shapes.values()) shape.dispose();
+    this.forgetShapes();
   }
 
   // --- The present state ---
@@ -178,6 +210,10 @@ export class Run {
   }
   contacts(): Pair[] {
     return this.questions().contacts();
+  }
+  /** All points of contact without their pairs, which large scenes have no time to copy. */
+  cloud(): Float32Array {
+    return cloudOf(this.questions().points());
   }
   /** The events of the last step, but for those of what is no body of the scene. */
   events(): ContactEvent[] {
@@ -228,10 +264,10 @@ export class Run {
     this.own.draw(this.questions(), { layers: ["bounds", "tree"], line: (from, to, layer) => line(from, to, layer === "bounds") });
   }
 
-  /** Draws lines from the bodies of each joint to its anchors, and between these; joints exist while it is played. */
-  drawJoints(line: (from: Vec, to: Vec, gap: boolean) => void): void {
-    if (!this.simulation || !this.scene.joints?.length) return;
-    this.own.drawSimulation(this.simulation, { layers: ["joints"], line: (from, to, _, meaning) => line(from, to, meaning === "gap") });
+  /** The lines of the joints, which exist while it is played. */
+  jointLines(): JointLine[] {
+    const { simulation } = this;
+    return simulation && this.scene.joints?.length ? jointLinesOf((on) => this.own.drawSimulation(simulation, on)) : [];
   }
   /** The features of two bodies at each point of contact, by corners in the world: of the first, and of the other. A
    *  round shape has none. In the plane the points of a manifold name the ends of the sides that they lie on: one for
@@ -267,6 +303,20 @@ export class Run {
     if (this.simulation) return this.simulation.setPose(this.ids[body], pose);
     this.world!.move(this.ids[body], pose);
     this.world!.update();
+  }
+  /** Puts many bodies somewhere, also with other shapes, while nothing is played. */
+  putAll(places: ReadonlyMap<number, Place & { shape: Shape }>): void {
+    const { world, ids } = this;
+    if (!world) return;
+    for (const [body, place] of places) {
+      world.move(ids[body], this.own.pose(place));
+      if (place.shape !== this.scene.bodies[body].shape) world.setShape(ids[body], this.shape(place.shape));
+    }
+    world.update();
+  }
+  /** Moves kinematic bodies to places, at which they are after a step of that length. */
+  follow(places: ReadonlyMap<number, Place>, dt: number): void {
+    for (const [body, place] of places) if (this.scene.bodies[body].dynamics?.kinematic) this.simulation!.moveTo(this.ids[body], this.own.pose(place), dt);
   }
   /** Begins the simulation: from here on the laws of motion hold. `capture` gets the bytes of its frames. */
   play(subSteps: number, gravity: Vec, capture?: graze.Capture): void {
@@ -307,8 +357,8 @@ export class Run {
   }
   step(dt: number): { energy: number; deepest: number; stages: Stages } {
     this.simulation!.step(dt);
-    const { kineticEnergy, potentialEnergy, deepest, ...stages } = this.simulation!.report();
-    return { energy: kineticEnergy + potentialEnergy, deepest, stages };
+    const report = this.simulation!.report();
+    return { energy: energyOf(report), deepest: report.deepest, stages: report };
   }
   save(): graze.State {
     return this.simulation!.save();
@@ -336,10 +386,16 @@ export class Run {
   private hit(found: { body: graze.BodyId; hit: Omit<Hit, "body"> } | null): Hit | null {
     return found && { ...found.hit, body: found.body.index };
   }
+  /** Forgets the shapes, of which bodies have shares of their own. */
+  private forgetShapes(): void {
+    for (const shape of this.shapes.values()) shape.dispose();
+    this.shapes.clear();
+  }
   private shape(of: Shape): AnyShape {
     const key = JSON.stringify(of);
     let known = this.shapes.get(key);
     if (!known) {
+      if (this.shapes.size > mostShapes) this.forgetShapes();
       known = this.own.shape(of);
       this.shapes.set(key, known);
     }
@@ -350,7 +406,7 @@ export class Run {
     return {
       shape: this.shape(body.shape), ...own.pose(body), fixed: !body.moves, trigger: body.trigger ?? false,
       ...(body.linear ? { linear: own.vector(body.linear) } : {}), ...(Array.isArray(body.angular) ? { angular: own.turning(body.angular) } : {}),
-      ...(body.filter ? { filter: body.filter } : {}),
+      ...(body.filter ? { filter: filterTaken(body.filter) } : {}),
     };
   }
 }

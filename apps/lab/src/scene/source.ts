@@ -2,9 +2,10 @@
 // read again when it changes.
 
 import { button, h } from "../parts/dom.ts";
-import { readCapture, type Captured } from "./captured.ts";
+import type { Captured } from "./captured.ts";
 import type { Scene } from "./model.ts";
 import { kindOf, openFile } from "./open.ts";
+import { readCapture } from "./replay.ts";
 import { WatchedFile } from "./watched.ts";
 
 const accepted = ".gltf,.glb,.bin,.obj,.stl,.ply,.svg,.json,.jsonl,.capture";

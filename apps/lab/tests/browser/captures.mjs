@@ -169,7 +169,7 @@ test("captures: a frame is asked as a scene is", async () => {
   await page.click('[data-fold=bodies] button:text-is("box 3")');
   assert.equal(await page.textContent(".words h2"), "box 3");
   assert.match(await page.textContent(".side"), /shape\s*box.*kind\s*moves/s);
-  assert.doesNotMatch(await page.textContent(".side"), /category/);
+  assert.match(await page.textContent(".side"), /category\s*0x1\s*mask\s*all\s*group\s*none/);
   // A click in the drawing selects the body in its middle, and nothing at its edge.
   const picture = await (await page.$(".stage3 canvas")).boundingBox();
   await page.mouse.click(picture.x + 3, picture.y + 3);
@@ -249,6 +249,63 @@ test("captures: rays, casts and measures work in a frame, and end with it", asyn
   if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-cast.png"), fullPage: true });
   await page.click('[aria-label="Previous frame"]');
   assert.equal(await page.textContent(".words h2"), "box 15", "the shot is of another frame");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("captures: energy, joints, filters, triggers and sleep are those of the run", async () => {
+  const frames = [], simulation = new graze.Simulation({ capture: (bytes) => frames.push(bytes) });
+  const floor = new graze.HalfSpace(), box = new graze.Box([1, 1, 1]), ball = new graze.Sphere(0.3);
+  simulation.add({ shape: floor, fixed: true });
+  const resting = simulation.add({ shape: box, translation: [0, 0.5, 0] }, { density: 1 });
+  const beam = simulation.add({ shape: box, translation: [4, 4, 0], fixed: true });
+  const filter = { category: 2n ** 60n, mask: 2n, group: 0 };
+  const hung = simulation.add({ shape: ball, translation: [6, 4, 0], filter }, { density: 1 });
+  const ghost = simulation.add({ shape: box, translation: [-3, 1, 0], fixed: true, trigger: true });
+  simulation.addJoint({ a: beam, b: hung, kind: "ball", frameB: { translation: [-2, 0, 0] } });
+  for (const [id, name] of [[resting, "resting"], [beam, "beam"], [hung, "hung"], [ghost, "ghost"]]) simulation.setName(id, name);
+  const energy = [], asleep = [];
+  for (let i = 0; i < 120; i++) {
+    simulation.step(1 / 60);
+    const { kineticEnergy, potentialEnergy } = simulation.report();
+    energy.push(kineticEnergy + potentialEnergy);
+    asleep.push([resting, hung].filter((id) => simulation.asleep(id)).map(({ index }) => index));
+  }
+  const gaps = [];
+  graze.draw.simulation(simulation, { layers: ["joints"], line: (...ends) => gaps.push(ends.slice(0, 2).map((end) => end.map(Math.fround))) });
+  for (const made of [simulation, floor, box, ball]) made.dispose();
+  assert.deepEqual(asleep.at(-1), [resting.index]);
+  const page = await scene("shapes");
+  await page.setInputFiles("input[type=file]", { name: "run.capture", mimeType: "application/octet-stream", buffer: Buffer.concat(frames) });
+  await page.waitForSelector("[data-next]");
+  const graph = () => page.$$eval(".plot svg", (list) => list.map((one) => one.getAttribute("aria-label")));
+  assert.equal((await graph())[0], `energy: ${short(energy[0])} ${short(energy[0])}`);
+  const signs = () => page.$$eval(".labels span", (list) => list.map((x) => x.textContent));
+  assert.deepEqual((await signs()).filter((sign) => sign === "z"), []);
+  await page.click('[aria-label="Last frame"]');
+  assert.equal((await graph())[0], `energy: ${short(energy[119])} ${short(energy[119])}`);
+  assert.deepEqual((await signs()).filter((sign) => sign === "z"), ["z"]);
+  assert.deepEqual((await looks(page)).colors, ["out", "asleep", "out", "a", "trigger"]);
+  const joints = (await drawn(page)).lines.map((line) => JSON.stringify(line));
+  for (const line of gaps) assert.ok(joints.includes(JSON.stringify(line)), `${line} is not drawn`);
+  await page.click('[data-fold=bodies] button:text-is("resting")');
+  assert.match(await page.textContent(".side"), /sleeps\s*yes/);
+  await page.click('[data-fold=bodies] button:text-is("hung")');
+  assert.match(await page.textContent(".words"), /The filter excludes this pair.*B has category 0x1000000000000000, mask 0x2\./);
+  await page.click('[data-fold=bodies] button:text-is("beam")'); // in place of the first one that was chosen
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-motion.png"), fullPage: true });
+  await page.click(".legend > summary");
+  await page.uncheck("[data-layer=sleep]");
+  await page.uncheck("[data-layer=joints]");
+  assert.deepEqual((await signs()).filter((sign) => sign === "z"), []);
+  const others = (await drawn(page)).lines.map((line) => JSON.stringify(line));
+  for (const line of gaps) assert.ok(!others.includes(JSON.stringify(line)), `${line} is still drawn`);
+  // A scene that is made of it keeps filters and triggers.
+  await page.click('button:text-is("Open this frame as a scene")');
+  await page.waitForSelector("[data-play]");
+  const { bodies } = await page.evaluate(() => window.lab.play.scene);
+  assert.deepEqual(bodies.map((one) => [one.filter ?? null, one.trigger ?? false]), [[null, false], [null, false], [null, false],
+    [{ category: "0x1000000000000000", mask: 2 }, false], [null, true]]);
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });

@@ -33,7 +33,8 @@ export const drawn = (page) =>
       const ends = geometry.attributes.instanceStart.data.array;
       for (let i = 0; i < ends.length; i += 6) lines.push([[...ends.slice(i, i + 3)], [...ends.slice(i + 3, i + 6)]]);
     }
-    return { lines, points: children.filter((x) => x.isSprite).map((x) => x.position.toArray()) };
+    const places = children.filter((x) => x.isPoints).flatMap(({ geometry }) => [...geometry.attributes.position.array]);
+    return { lines, points: Array.from({ length: places.length / 3 }, (_, i) => places.slice(3 * i, 3 * i + 3)) };
   });
 /** What one picture has beyond another. */
 export function beyond(more, less) {
@@ -72,7 +73,7 @@ export function showsCut({ lines, points }, { cuts, faces }) {
 export const looks = (page) =>
   page.evaluate(() => {
     const style = getComputedStyle(document.documentElement), linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-    const meanings = ["a", "b", "made", "out", "trigger", "touch"].map((name) => {
+    const meanings = ["a", "b", "made", "out", "trigger", "touch", "asleep"].map((name) => {
       const hex = parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16);
       return { name, rgb: [16, 8, 0].map((shift) => linear(((hex >> shift) & 255) / 255)) };
     });

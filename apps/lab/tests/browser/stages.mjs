@@ -98,3 +98,21 @@ test("plane: the keyboard moves the camera, which the address keeps", async () =
     await p.context().close();
   }
 });
+
+test("stages: the camera in an address comes back to the last digit", async () => {
+  const page = await visit("#/scene?scene=shapes", small), camera = (of) => of.evaluate(() => window.lab.stage.camera);
+  await page.focus(".stage3 canvas");
+  for (const key of ["ArrowLeft", "ArrowUp", "+", "ArrowLeft"]) await page.keyboard.press(key);
+  await page.waitForFunction(() => location.hash.includes("view="));
+  await page.waitForTimeout(400); // the address is written once the camera stays
+  const hash = await page.evaluate(() => location.hash), other = await visit(hash, small);
+  assert.deepEqual(await camera(other), await camera(page));
+  await other.click("[data-step]");
+  await other.waitForFunction(() => location.hash.includes("steps"));
+  const view = (text) => new URLSearchParams(text.split("?")[1]).get("view");
+  assert.equal(view(await other.evaluate(() => location.hash)), view(hash));
+  for (const one of [page, other]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
