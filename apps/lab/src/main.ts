@@ -2,6 +2,7 @@ import "./style.css";
 import { load } from "./graze.ts";
 import { lessons } from "./lessons/index.ts";
 import { h } from "./parts/dom.ts";
+import { keepOffline } from "./parts/offline.ts";
 import { address, readPlace } from "./parts/state.ts";
 import { choose, isDark, startTheme } from "./parts/theme.ts";
 import { Home } from "./rooms/home.ts";
@@ -114,6 +115,7 @@ try {
   await load();
   document.getElementById("app")!.replaceChildren(...frame());
   open();
+  keepOffline();
 } catch (error) {
   document.getElementById("app")!.replaceChildren(
     h("p", { class: "trouble", role: "alert" }, `The library could not be loaded: ${(error as Error).message}`));

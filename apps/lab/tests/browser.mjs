@@ -13,6 +13,8 @@ import "./browser/time.mjs";
 import "./browser/files.mjs";
 import "./browser/captures.mjs";
 import "./browser/stages.mjs";
+import "./browser/offline.mjs";
+import "./browser/animations.mjs";
 import "./browser/hostile-addresses.mjs";
 import "./browser/axes-lessons.mjs";
 import "./browser/formulas.mjs";

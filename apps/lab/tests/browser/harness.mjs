@@ -16,7 +16,7 @@ import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
 export const here = fileURLToPath(new URL("../..", import.meta.url));
-const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml" };
+export const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml" };
 
 /** Serves dist/ on a free port of the loopback address. */
 async function serve() {
@@ -43,10 +43,12 @@ export const query = process.env.GRAZE
 export const server = process.env.LAB_URL ? { address: process.env.LAB_URL, close() {} } : await serve();
 // The browser without a window: the one with windows loads its own address bar, some 320 files, with each page. Where a
 // processor draws in place of a graphics card, it puts a page together faster without imitating one.
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium-headless-shell",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing"],
-});
+export const launch = () =>
+  chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium-headless-shell",
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing"],
+  });
+const browser = await launch();
 const axe = readFileSync(join(here, "node_modules/axe-core/axe.min.js"), "utf8");
 /** Checks that axe finds nothing on a page that was visited with `axe`. */
 export async function accessible(page, look = "light") {
