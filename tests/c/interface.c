@@ -375,7 +375,10 @@ static void test_simulation(void) {
   EXPECT(graze_state_read_d(NULL, 3, &read) == GRAZE_INVALID_VALUE);
 
   const GrazeWorldd* world;
+  const GrazeSimulationd* whose;
   OK(graze_simulation_world_d(simulation, &world));
+  OK(graze_world_simulation_d(world, &whose));
+  EXPECT(whose == simulation);
   size_t count, indices;
   OK(graze_world_counts_d(world, &count, &indices));
   EXPECT(count == 2);
@@ -588,7 +591,10 @@ static void test_plane_simulation(void) {
   EXPECT(graze_plane_simulation_add_joint_d(simulation, &joint, &joint_id) == GRAZE_INVALID_VALUE);
 
   const GrazePlaneWorldd* world;
+  const GrazePlaneSimulationd* whose;
   OK(graze_plane_simulation_world_d(simulation, &world));
+  OK(graze_plane_world_simulation_d(world, &whose));
+  EXPECT(whose == simulation);
   EXPECT(graze_plane_world_remove_d((GrazePlaneWorldd*)world, id) == GRAZE_INVALID_VALUE);  // the simulation's
   graze_plane_world_destroy_d((GrazePlaneWorldd*)world);
   OK(graze_plane_simulation_remove_d(simulation, id));
