@@ -2,13 +2,18 @@
 
 import * as THREE from "three";
 import type { Shape, Vec } from "../question.ts";
-import { valueAt, type Keys } from "./keyframes.ts";
+import { isNumbers } from "./checks.ts";
+import { expectedOf, valueAt, type Keys } from "./keyframes.ts";
 import type { Place } from "./run.ts";
 import { scaled } from "./scaled.ts";
 
+export const properties = ["translation", "rotation", "scale"] as const;
+type Property = (typeof properties)[number];
+/** The count of numbers of a property. */
+export const widthOf = (property: Property): number => (property === "rotation" ? 4 : 3);
 /** A part of a node's transformation, and the keys that change it. */
 export interface Channel {
-  property: "translation" | "rotation" | "scale";
+  property: Property;
   keys: Keys;
 }
 /** A node on the way from the root of a file to a body. */
@@ -59,4 +64,18 @@ export function followersAt({ moves }: Animation, t: number, shapes: readonly { 
     const [at, turn, size] = placed(chain, t), [, , rest] = placed(chain), growth = size.divide(rest).toArray();
     return [body, { translation: at.toArray(), rotation: turn.normalize().toArray(), shape: scaled(shapes[body].shape, growth), growth }];
   }));
+}
+
+function isLink({ matrix, channels, ...parts }: Link): boolean {
+  return properties.every((one) => isNumbers(parts[one], widthOf(one))) && (matrix === undefined || isNumbers(matrix, 16)) &&
+    channels.every(({ property, keys }) => properties.includes(property) && expectedOf(keys, widthOf(property)) === null);
+}
+/** Whether a value of an address is a list of animations of so many bodies. */
+export function areAnimations(value: unknown, bodies: number): boolean {
+  try {
+    return (value as Animation[]).every(({ name, duration, moves }) => typeof name === "string" && Number.isFinite(duration) && duration >= 0 &&
+      moves.every(({ body, chain }) => Number.isInteger(body) && body >= 0 && body < bodies && chain.every(isLink)));
+  } catch {
+    return false; // something is no list, or no object
+  }
 }

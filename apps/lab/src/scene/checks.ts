@@ -3,7 +3,8 @@
 import type { Vec } from "../question.ts";
 import type { Place } from "./run.ts";
 
-const isNumbers = (value: unknown, count: number): value is Vec =>
+/** Whether a value is a list of so many finite numbers. */
+export const isNumbers = (value: unknown, count: number): value is Vec =>
   Array.isArray(value) && value.length === count && value.every((x) => typeof x === "number" && Number.isFinite(x));
 /** Whether a value is a vector of space. */
 export const isVector = (value: unknown): value is Vec => isNumbers(value, 3);

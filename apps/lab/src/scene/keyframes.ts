@@ -11,6 +11,18 @@ export interface Keys {
   values: Vec[];
 }
 
+/** The thing that was expected of keys in place of what they are; null where they can be sampled. `width`: the numbers of
+ *  a value, four of a rotation. */
+export function expectedOf({ interpolation, times, values }: Keys, width: number): string | null {
+  const spline = interpolation === "CUBICSPLINE", key = (i: number): boolean => !spline || i % 3 === 1;
+  if (!spline && interpolation !== "LINEAR" && interpolation !== "STEP") return "one of STEP, LINEAR, CUBICSPLINE";
+  if (times.length < (spline ? 2 : 1) || !(times[0] >= 0) || !times.every((t, i) => Number.isFinite(t) && (i === 0 || t > times[i - 1])))
+    return "times that rise, from 0 or later";
+  if (values.length !== times.length * (spline ? 3 : 1) || !values.every((value) => value.length === width && value.every(Number.isFinite)))
+    return `${spline ? "three values" : "a value"} of ${width} finite numbers for each time`;
+  return width === 4 && values.some((value, i) => key(i) && value.every((x) => x === 0)) ? "a quaternion that is not zero" : null;
+}
+
 const normal = (q: Vec): Vec => new THREE.Quaternion(...q).normalize().toArray();
 const slerp = (from: Vec, to: Vec, part: number): Vec => new THREE.Quaternion(...from).slerp(new THREE.Quaternion(...to), part).normalize().toArray();
 

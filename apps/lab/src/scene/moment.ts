@@ -2,7 +2,7 @@
 
 import { speeds } from "../parts/timeline.ts";
 import type { Vec } from "../question.ts";
-import type { Animated } from "./animation.ts";
+import { areAnimations, type Animated } from "./animation.ts";
 import { asksMore } from "./asked.ts";
 import { isPlace, isVector } from "./checks.ts";
 import { areInputs, type Input } from "./inputs.ts";
@@ -93,8 +93,9 @@ export function packed(scene: Scene): string | null {
 }
 /** Whether a value of an address is a scene, as far as `Run` does not refuse it by itself. */
 export function isScene(value: unknown): boolean {
-  const { name, bodies, question } = (value ?? {}) as Partial<Scene>;
+  const { name, bodies, question, animations = [] } = (value ?? {}) as Partial<Scene>;
   const asked = (which: "a" | "b"): boolean => typeof (question?.[which] ?? {}) === "object";
   return typeof name === "string" && Array.isArray(bodies) && (question === undefined || (asked("a") && asked("b") && bodies.length > 0)) &&
-    bodies.every((b) => typeof b?.name === "string" && typeof b.shape?.type === "string" && isPlace(b));
+    bodies.every((b) => typeof b?.name === "string" && typeof b.shape?.type === "string" && isPlace(b)) &&
+    areAnimations(animations, bodies.length);
 }

@@ -116,3 +116,23 @@ test("animations: the controls have no finding of axe, fit a phone, and a faulty
     await page.context().close();
   }
 });
+
+test("animations: an address with keys that cannot be sampled is no scene", async () => {
+  const still = { name: "one", bodies: [{ name: "ball", shape: { type: "sphere", sphere: { radius: 1 } }, translation: [0, 0, 0], rotation: [0, 0, 0, 1], moves: true, dynamics: { kinematic: true } }] };
+  const link = { translation: [0, 0, 0], rotation: [0, 0, 0, 1], scale: [1, 1, 1] }, keys = { interpolation: "LINEAR", times: [0, 1], values: [[0, 0, 0], [2, 0, 0]] };
+  const one = (changed = {}, more = {}) => ({ ...still, animations: [{ name: "way", duration: 1, moves: [{ body: 0, chain: [{ ...link, channels: [{ property: "translation", keys: { ...keys, ...changed } }] }], ...more }] }] });
+  const page = await scene("shapes");
+  const open = async (of, at = {}) => {
+    await page.evaluate((hash) => (location.hash = hash), `#/scene?${new URLSearchParams({ s: JSON.stringify(of), at: JSON.stringify(at) })}`);
+    await page.waitForTimeout(100);
+    await frame(page);
+    return page.evaluate(() => window.lab.play.scene.name);
+  };
+  assert.equal(await open(one(), { animated: { number: 0, time: 0.25 } }), "one");
+  near((await bodies(page)).ball.translation, [0.5, 0, 0], "the ball of the address");
+  for (const hostile of [one({ times: [1, 0] }), one({ values: [[0, 0, 0]] }), one({ values: null }), one({}, { body: 7 }), one({}, { chain: 3 }), { ...still, animations: 5 }, { ...still, animations: [null] }])
+    assert.notEqual(await open(hostile), "one", JSON.stringify(hostile.animations));
+  assert.equal(await open(one(), { animated: { number: 9, time: 1e300 } }), "one");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
