@@ -310,6 +310,31 @@ test("captures: energy, joints, filters, triggers and sleep are those of the run
   await page.context().close();
 });
 
+test("captures: more than 200 pairs, and runs of more than 200 bodies, show every point of contact", async () => {
+  const frames = [], simulation = new graze.Simulation({ capture: (bytes) => frames.push(bytes) }), floor = new graze.HalfSpace(), box = new graze.Box([1, 1, 1]);
+  simulation.add({ shape: floor, fixed: true });
+  for (let i = 0; i < 225; i++) simulation.add({ shape: box, translation: [1.5 * (i % 15), 0.4999, 1.5 * Math.floor(i / 15)] }, { density: 1 });
+  simulation.step(1 / 60);
+  const places = [...simulation.world.points()].map(({ a, b, weight }) => a.map((x, k) => Math.fround(x + (b[k] - x) * weight)).join()).sort();
+  for (const made of [simulation, floor, box]) made.dispose();
+  assert.equal(places.length, 900);
+  const page = await scene("shapes"), points = async () => (await drawn(page)).points.map(String).sort();
+  await page.setInputFiles("input[type=file]", { name: "field.capture", mimeType: "application/octet-stream", buffer: Buffer.concat(frames) });
+  await page.waitForFunction(() => window.lab.captured);
+  assert.match(await page.textContent(".counter"), /^226 bodies · 225 pairs · 900 contacts/);
+  assert.deepEqual(await points(), places);
+  await page.click('button:text-is("Open this frame as a scene")');
+  await page.waitForSelector("[data-play]");
+  const found = await page.evaluate(() => window.lab.play.run.contacts().reduce((sum, pair) => sum + pair.manifolds.reduce((n, m) => n + m.points.length, 0), 0));
+  assert.ok(found >= 900, `${found}`);
+  assert.equal((await points()).length, found);
+  await page.click(".legend > summary");
+  await page.uncheck("[data-layer=contacts]");
+  assert.equal((await points()).length, 0);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("captures: an event of a body that is gone is not one of the body that has its number now", async () => {
   const frames = [], simulation = new graze.Simulation({ capture: (bytes) => frames.push(bytes) }), floor = new graze.HalfSpace(), ball = new graze.Sphere(0.5);
   simulation.add({ shape: floor, fixed: true });
