@@ -841,7 +841,8 @@ export interface WorldQueries {
   body(id: BodyId): Required<Body>;
   /** A share of the body's shape, to be disposed of. */
   shape(id: BodyId): Shape;
-  /** All poses by index, seven numbers each, without a copy: valid until the next call. */
+  /** All poses by index, seven numbers each, without a copy: valid until the next call. To be read
+   * alone: bodies are moved by `move`, which keeps the tree of their bounds in step. */
   poses(): Scalars;
   /** The name of the body in a replay, otherwise empty. */
   name(id: BodyId): string;
@@ -1006,7 +1007,8 @@ export interface StepReport {
 /** Bodies that move, and queries of them; also in a replay. */
 export interface SimulationQueries {
   pose(id: BodyId): Pose;
-  /** All poses by index, seven numbers each, without a copy: valid until the next call. */
+  /** All poses by index, seven numbers each, without a copy: valid until the next call. To be read
+   * alone: bodies are moved by `move`, which keeps the tree of their bounds in step. */
   poses(): Scalars;
   /** The velocity of the centre of mass, the turning about it, and its place. */
   motion(id: BodyId): Motion;

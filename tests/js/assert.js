@@ -16,6 +16,7 @@ export function close(got, expected, tolerance, what = "value") {
   const near = gotten.length === wanted.length && gotten.every((x, i) => Math.abs(x - wanted[i]) <= tolerance);
   if (!near) throw new Error(`${what}: expected ${text(expected)} within ${tolerance}, got ${text(got)}`);
 }
+/** `message` is the whole message, or a regular expression. */
 export function throws(body, message, type) {
   let thrown;
   try {
@@ -24,6 +25,7 @@ export function throws(body, message, type) {
     thrown = error;
   }
   ok(thrown !== undefined, `that it throws "${message}"`);
-  equal(thrown.message, message, "message");
+  if (message instanceof RegExp) ok(message.test(thrown.message), `that ${text(thrown.message)} has the form ${message}`);
+  else equal(thrown.message, message, "message");
   if (type !== undefined) ok(thrown instanceof type, `that the error is a ${type.name}`);
 }

@@ -291,6 +291,83 @@ export const checks = [
       throws(() => new plane.Circle(undefined), "circle.radius: expected a number, got undefined", InvalidValue);
   }],
 
+  ["options, rays and settings that are not understood are refused, and none is passed over", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries]) {
+      for (const library of [entry, entry.plane].filter(Boolean)) {
+        const refuses = (act, message) => throws(act, message, entry.InvalidValue);
+        const flat = library !== entry;
+        const [box, zero, along] =
+          flat ? [new library.Box([2, 2]), [0, 0], [1, 0]] : [new library.Box([2, 2, 2]), [0, 0, 0], [1, 0, 0]];
+        const ray = { origin: zero, direction: along };
+        const still = { shape: box };
+        const world = new library.World();
+        const body = world.add({ shape: box });
+        const filter = "category, mask, group, triggers, accept";
+        const casts = "duration, separating";
+        for (const act of [(r) => library.raycast(box, {}, r), (r) => library.raycastAny(box, {}, r), (r) => world.raycast(r)]) {
+          refuses(() => act(zero), "ray: expected an object with origin, direction, length, got Array");
+          refuses(() => act(null), "ray: expected an object with origin, direction, length, got null");
+          refuses(() => act({ origin: zero, dir: along }), "ray: expected origin, direction, length, got dir");
+          refuses(() => act({ origin: zero }), `ray.direction: expected ${zero.length} numbers, got undefined`);
+        }
+        for (const act of [(o) => library.cast(still, still, o), (o) => library.castAll(still, still, o),
+                           (o) => library.castBatch([still], [still], o)]) {
+          refuses(() => act(5), `options: expected an object with ${casts}, got 5`);
+          refuses(() => act({ duraton: 5 }), `options: expected ${casts}, got duraton`);
+        }
+        refuses(() => library.raycast(box, {}, ray, { length: 1 }), `options: expected ${flat ? "no members" : "backFaces"}, got length`);
+        refuses(() => world.raycast(ray, { maxLength: 1 }), /, got maxLength$/);
+        refuses(() => world.overlapping(box, {}, 3), `options: expected an object with ${filter}, got 3`);
+        refuses(() => world.overlapping(box, {}, { catgory: 3 }), `options: expected ${filter}, got catgory`);
+        refuses(() => world.overlapping(box, {}, { accept: 3 }), "accept: expected a function, got 3");
+        refuses(() => world.nearest(box, {}, 1, { limt: 3 }), `options: expected ${filter}, limit, got limt`);
+        refuses(() => world.slide(box, {}, along, { cast: 2 }), `options: expected ${filter}, casts, got cast`);
+        refuses(() => world.cast(still, { duraton: 1 }), `options: expected ${filter}, ${casts}, got duraton`);
+        refuses(() => world.move(body, {}, { liner: along }), "velocity: expected linear, angular, got liner");
+        refuses(() => world.setFilter(body, { cat: 1 }), "filter: expected category, mask, group, got cat");
+        refuses(() => world.add({ shape: box, filter: { cat: 1 } }), "body.filter: expected category, mask, group, got cat");
+        refuses(() => world.add(), "body.shape: expected a Shape, got undefined");
+        refuses(() => new library.World({ alow: () => true }), "settings: expected margin, pointsPerPair, allow, capture, got alow");
+        refuses(() => new library.World({ allow: 3 }), "settings.allow: expected a function, got 3");
+        refuses(() => new library.World(0.1), "settings: expected an object with margin, pointsPerPair, allow, capture, got 0.1");
+        refuses(() => new library.Compound(null), "compound.children: expected an array, got null");
+        refuses(() => library.overlapBatch({ shape: box }, { shapes: box }), "a: expected shapes, poses, translations, rotations, got shape");
+        for (const thing of [world, box]) thing.dispose();
+      }
+      throws(() => new entry.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], true),
+        "mesh.options: expected an object with sides, solid, got true", entry.InvalidValue);
+      // eslint-disable-next-line no-sparse-arrays
+      throws(() => new entry.ConvexHull([[0, 0, 0], , [1, 0, 0]]), "convexHull.points[1]: expected 3 numbers, got undefined",
+        entry.InvalidValue);
+      throws(() => new entry.Numbers(2 ** 32 - 1), /^graze: no memory for \d+ bytes$/, RangeError);
+      throws(() => new entry.ConvexHull(new BigInt64Array(3)), "convexHull.points[0]: expected a number, got 0", entry.InvalidValue);
+    }
+  }],
+  ["what a simulation does not understand is refused", ({ graze, double }) => {
+    for (const entry of [graze, double])
+      for (const library of [entry, entry.plane]) {
+        const refuses = (act, message) => throws(act, message, entry.InvalidValue);
+        const simulation = new library.Simulation();
+        const box = new library.Box(library === entry ? [1, 1, 1] : [1, 1]);
+        const [a, b] = [0, 1].map(() => simulation.add({ shape: box }));
+        const joint = (more) => () => simulation.addJoint({ a, b, ...more });
+        refuses(() => new library.Simulation({ substeps: 4 }),
+          "settings: expected gravity, subSteps, mostSubSteps, sleep, continuous, longestStep, capture, got substeps");
+        refuses(() => simulation.add({ shape: box }, { mas: 1 }), /^dynamics: expected mass, .*, got mas$/);
+        refuses(() => simulation.add({ shape: box }, { hasMass: true }), /, got hasMass$/);
+        refuses(() => simulation.add({ shape: box }, {}, { friction: 1 }), /^material: expected staticFriction, .*, got friction$/);
+        refuses(() => simulation.setVelocity(a, { liner: 1 }), "velocity: expected linear, angular, got liner");
+        refuses(joint({ type: "ball" }), /^joint: expected a, b, frameA, .*, got type$/);
+        refuses(joint({ limits: [{ space: "linear", axes: ["x"], lower: 0 }] }), /^joint.limits\[0\]: .*, got lower$/);
+        refuses(joint({ limits: [{ space: "linear", axes: ["w"] }] }), 'joint.limits[0].axes: expected one of x, y, z, got "w"');
+        refuses(joint({ limits: [{ space: "linear" }] }), "joint.limits[0].axes: expected one of x, y, z, got undefined");
+        refuses(joint({ drives: [{ space: "linear", axis: "x", target: 0 }] }), /^joint.drives\[0\]: .*, got target$/);
+        equal(simulation.joints().length, 0, "none was added");
+        const made = simulation.addJoint({ a, b, limits: [{ space: "linear", axes: ["x", "y"], min: 0 }], drives: [{ space: "angular", axis: "z", damping: 1 }] });
+        simulation.addJoint(simulation.joint(made));
+        for (const thing of [simulation, box]) thing.dispose();
+      }
+  }],
   ["what is no pose is not taken for the origin", ({ graze, double, queries }) => {
     for (const entry of [graze, double, queries])
       for (const library of entry.plane === undefined ? [entry] : [entry, entry.plane]) {

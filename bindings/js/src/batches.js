@@ -1,6 +1,9 @@
 // Queries of many pairs at a time, over arrays in the module's memory.
 
-import { InvalidValue, whole } from "./core.js";
+import { arrayOf, InvalidValue, membersOf, whole } from "./core.js";
+import { castOptions } from "./questions.js";
+
+const bodiesMembers = ["shapes", "poses", "translations", "rotations"];
 
 /** Structs in the module's memory: a copy of one as an object, or all of them as they stand. */
 export function rowsClass(core) {
@@ -88,7 +91,8 @@ export function batches(core, layout, dimension, Rows, Handle) {
       throw new InvalidValue(`${path}.rotations: expected ${moved.count} of them, got ${turned.count}`);
     return { ...at, rotations: turned.pointer, rotationStride: turnSize * number };
   };
-  const writeBodies = (value, place, path) => {
+  const writeBodies = (given, place, path) => {
+    const value = membersOf(given, path, bodiesMembers);
     const list = Array.isArray(value.shapes) ? value.shapes : [value.shapes];
     const handles = core.room(Math.max(1, list.length) * 4);
     list.forEach((shape, i) => core.data.setUint32(handles + 4 * i, of(shape, `${path}.shapes[${i}]`), true));
@@ -156,15 +160,17 @@ export function batches(core, layout, dimension, Rows, Handle) {
       return filled(types.closest, count, (p) =>
         call("closest_batch", of(shape), pose(at, "pose"), pointer, 0, count, p, 0));
     },
-    raycastBatch(shape, at, rays, options) {
+    raycastBatch(shape, at, rays, given) {
+      const options = membersOf(given, "options", ["length", ...ask.rayOptions]);
       const { pointer, count } = numbersOf(rays, 2 * vectorSize, "rays");
-      const question = [of(shape), pose(at, "pose"), pointer, 0, count, options?.length ?? Infinity, ...ask.backs(options)];
+      const question = [of(shape), pose(at, "pose"), pointer, 0, count, options.length ?? Infinity, ...ask.backs(options)];
       return foundOf(types.rayHit, count, (found, p) => call("raycast_batch", ...question, found, 0, p, 0));
     },
-    castBatch(a, b, options) {
-      if (a.length !== b.length)
+    castBatch(a, b, given) {
+      const options = membersOf(given, "options", castOptions);
+      if (arrayOf(a, "a").length !== arrayOf(b, "b").length)
         throw new InvalidValue(`b: expected ${a.length} moving bodies, as many as in a, got ${b.length}`);
-      const question = [moving(a, "a"), 0, moving(b, "b"), 0, a.length, options?.duration ?? 1, ask.separating(options)];
+      const question = [moving(a, "a"), 0, moving(b, "b"), 0, a.length, options.duration ?? 1, ask.separating(options)];
       return foundOf(types.castHit, a.length, (found, p) => call("cast_batch", ...question, found, 0, p, 0));
     },
     compactContactsBatch(a, b, margin = 0, places = undefined) {

@@ -175,7 +175,8 @@ export class Core {
   }
 
   allocate(size) {
-    const pointer = this.exports.malloc(size);
+    // A size that 32 bits do not hold would be cut off on the way into the module.
+    const pointer = size < 2 ** 32 ? this.exports.malloc(size) : 0;
     if (pointer === 0) throw new RangeError(`graze: no memory for ${size} bytes`);
     return pointer;
   }
@@ -317,6 +318,33 @@ export function finite(value, path) {
 export function whole(value, path, most = 2 ** 32 - 1, least = 0) {
   if (!(Number.isInteger(value) && value >= least && value <= most))
     throw new InvalidValue(`${path}: expected an integer from ${least} to ${most}, got ${shown(value)}`);
+  return value;
+}
+
+/** `value`, where it is an object with no other members than `names`; absent: an empty one. What is not understood is
+ * refused, for it would be passed over in silence. */
+export function membersOf(value, path, names, kind) {
+  if (value === undefined) return {};
+  if (value === null || typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value))
+    throw new InvalidValue(`${path}: expected ${kind ?? `an object with ${listed(names)}`}, got ${shown(value)}`);
+  for (const name in value)
+    if (!names.includes(name)) throw new InvalidValue(`${path}: expected ${listed(names)}, got ${name}`);
+  return value;
+}
+
+const listed = (names) => names.join(", ") || "no members";
+
+/** `value`, where it is an array or a list like one. */
+export function arrayOf(value, path) {
+  if (value === null || typeof value !== "object" || !Number.isInteger(value.length))
+    throw new InvalidValue(`${path}: expected an array, got ${shown(value)}`);
+  return value;
+}
+
+/** `value`, where it is a function; absent: undefined. */
+export function callback(value, path) {
+  if (value !== undefined && typeof value !== "function")
+    throw new InvalidValue(`${path}: expected a function, got ${shown(value)}`);
   return value;
 }
 

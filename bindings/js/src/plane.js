@@ -1,7 +1,7 @@
 // The functions and classes of the package in two dimensions.
 
 import { batches } from "./batches.js";
-import { finite, InvalidValue, number, shown } from "./core.js";
+import { arrayOf, finite, InvalidValue, membersOf, number, shown } from "./core.js";
 import { drawings, tessellations, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
@@ -114,9 +114,10 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
     }
   }
   class Chain extends Shape {
-    constructor(points, options = {}) {
+    constructor(points, given) {
       super(
         made("chain", () => {
+          const options = membersOf(given, "chain.options", ["sides", "closed"]);
           const seen = named(sides, options.sides ?? "both", "chain.sides");
           return [...outline(points, "chain.points"), options.closed ? 1 : 0, seen];
         }),
@@ -128,7 +129,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       super(
         made("compound", () => {
           const { size, offset } = types.child;
-          const first = core.room(Math.max(1, children.length) * size);
+          const first = core.room(Math.max(1, arrayOf(children, "compound.children").length) * size);
           children.forEach((child, i) => {
             const path = `compound.children[${i}]`;
             const at = pose(child, path, ["shape"]);

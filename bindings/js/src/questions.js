@@ -1,16 +1,20 @@
 // Queries of two shapes, in space and in the plane.
 
-import { whole } from "./core.js";
+import { InvalidValue, membersOf, shown, whole } from "./core.js";
 import { named } from "./layout.js";
 import { movingMembers } from "./shapes.js";
 import { traceReader } from "./trace.js";
 
 const backFaces = ["hit", "ignored"];
 const separations = ["hit", "ignored"];
+const rayMembers = ["origin", "direction", "length"];
+/** The members that the options of a cast have. */
+export const castOptions = ["duration", "separating"];
 
 /** The queries of a dimension, by the beginning of its functions' names, its structs, shapes and poses. */
 export function questions(core, layout, { prefix, types, args, of, pose }) {
   const { written, answered } = args;
+  const vectorSize = types.vector.size / core.numberSize;
   const call = (name, ...parameters) => core.call(`${prefix}${name}`, ...parameters);
   const two = (a, poseA, b, poseB) => [of(a, "a"), pose(poseA, "poseA"), of(b, "b"), pose(poseB, "poseB")];
   const yes = (name, ...parameters) => answered(layout.bool, (p) => call(name, ...parameters, p));
@@ -57,9 +61,14 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     return { overlap, certainty, error, manifolds: manifolds(all, 0, manifoldCount) };
   };
 
-  const ray = ({ origin, direction }) => written(types.ray, { origin, direction }, "ray");
+  const ray = (value) => {
+    const { origin, direction } = membersOf(value, "ray", rayMembers);
+    for (const [name, part] of Object.entries({ origin, direction }))
+      if (part === undefined) throw new InvalidValue(`ray.${name}: expected ${vectorSize} numbers, got ${shown(part)}`);
+    return written(types.ray, { origin, direction }, "ray");
+  };
   const length = (value) => value.length ?? Infinity;
-  const writeMoving = (p, body, path) => {
+  const writeMoving = (p, body = {}, path) => {
     const at = pose(body, path, movingMembers);
     const { linear, angular } = body;
     types.moving.write(p, { shape: of(body.shape, `${path}.shape`), linear, angular }, path);
@@ -70,14 +79,21 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     writeMoving(p, body, path);
     return p;
   };
-  const separating = (options) => named(separations, options?.separating ?? "hit", "separating");
-  const back = (options) => named(backFaces, options?.backFaces ?? "hit", "backFaces");
+  const separating = (options) => named(separations, options.separating ?? "hit", "separating");
+  const back = (options) => named(backFaces, options.backFaces ?? "hit", "backFaces");
   /** The argument for back faces, which the plane does not have. */
   const backs = (options) => (prefix === "" ? [back(options)] : []);
+  /** The members that options of a ray may have, and those of a cast. */
+  const rayOptions = prefix === "" ? ["backFaces"] : [];
 
-  const rayAt = (shape, at, value, options) =>
-    [of(shape), pose(at, "pose"), ray(value), length(value), ...backs(options)];
-  const moved = (a, b, options) => [moving(a, "a"), moving(b, "b"), options?.duration ?? 1, separating(options)];
+  const rayAt = (shape, at, value, given) => {
+    const options = membersOf(given, "options", rayOptions);
+    return [of(shape), pose(at, "pose"), ray(value), length(value), ...backs(options)];
+  };
+  const moved = (a, b, given) => {
+    const options = membersOf(given, "options", castOptions);
+    return [moving(a, "a"), moving(b, "b"), options.duration ?? 1, separating(options)];
+  };
 
   /** Each query by the functions whose names end so, and which take `trace`, or nothing more, after the answer. */
   const asked = (ending, ...trace) => ({
@@ -151,7 +167,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
 
   return {
     asked: plainly, untraced, framed, explaining, traced, call, two, yes, found, room, place, listed, manifolds, contactsAt, ray, length,
-    moving, writeMoving, separating, back, backs };
+    moving, writeMoving, separating, back, backs, rayOptions };
 }
 
 /** The queries that only space has, on top of those of both dimensions. */

@@ -1,6 +1,6 @@
 // Shapes, poses and numbers in the module's memory: the arguments of every query.
 
-import { AnyHandle, finite, InvalidValue, number, shown, whole } from "./core.js";
+import { AnyHandle, arrayOf, finite, InvalidValue, membersOf, number, shown, whole } from "./core.js";
 import { named } from "./layout.js";
 
 const kinds = [
@@ -9,6 +9,9 @@ const kinds = [
 const noTurn = [0, 0, 0, 1];
 const origin = [0, 0, 0];
 export const sides = ["both", "front"];
+/** The arrays whose elements are numbers, whatever they hold. */
+const plainNumbers = new Set([
+  Float32Array, Float64Array, Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array, Int32Array, Uint32Array]);
 
 /** The members that a body that moves has besides those of its pose, and a body of a world. */
 export const movingMembers = ["shape", "linear", "angular"];
@@ -17,12 +20,9 @@ export const bodyMembers = [...movingMembers, "filter", "fixed", "trigger", "fas
 /** The members of a pose, absent ones by `origin` and `rest`. An object of another kind, or with a member that is
  * neither a pose's nor one of `besides`, is refused: a pose that is not understood would stand at the origin. */
 export function placed(value = {}, path, besides, origin, rest) {
-  if (value === null || typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value))
-    throw new InvalidValue(`${path}: expected an object with a translation and a rotation, got ${shown(value)}`);
-  for (const name in value)
-    if (name !== "translation" && name !== "rotation" && !besides.includes(name))
-      throw new InvalidValue(`${path}: expected ${["translation", "rotation", ...besides].join(", ")}, got ${name}`);
-  const { translation = origin, rotation = rest } = value;
+  const names = ["translation", "rotation", ...besides];
+  const { translation = origin, rotation = rest } =
+    membersOf(value, path, names, "an object with a translation and a rotation");
   return { translation, rotation };
 }
 
@@ -40,8 +40,7 @@ export function argumentsOf(core, layout) {
   const rows = (values, width, path, View = core.Numbers) => {
     if (values instanceof AnyHandle)
       throw new InvalidValue(`${path}: expected an array, or Numbers of this entry, got ${shown(values)}`);
-    if (values === null || typeof values !== "object")
-      throw new InvalidValue(`${path}: expected an array, got ${shown(values)}`);
+    arrayOf(values, path);
     const nested = values.length > 0 && typeof values[0] === "object" && values[0] !== null;
     const length = nested ? values.length * width : values.length;
     if (length % width !== 0)
@@ -50,17 +49,19 @@ export function argumentsOf(core, layout) {
     const to = new View(core.memory().buffer, p, length);
     const checked = View === Uint32Array ? whole : number;
     const set = (from, at, name) => {
-      if (!(from instanceof View || (checked === number && ArrayBuffer.isView(from))))
+      if (!(from instanceof View || (checked === number && plainNumbers.has(from.constructor))))
         for (let i = 0; i < from.length; ++i) checked(from[i], `${name}[${i}]`);
       to.set(from, at);
     };
     if (!nested) set(values, 0, path);
     else
-      values.forEach((row, i) => {
+      // By places, so that those where nothing stands are met as well.
+      for (let i = 0; i < values.length; ++i) {
+        const row = values[i];
         if (row?.length !== width)
           throw new InvalidValue(`${path}[${i}]: expected ${width} numbers, got ${row?.length ?? shown(row)}`);
         set(row, i * width, `${path}[${i}]`);
-      });
+      }
     return { pointer: p, count: length / width };
   };
   /** Calls a function with a place for one answer, and reads it. */
@@ -205,9 +206,10 @@ export function shapeClasses(core, layout, args, Handle) {
     }
   }
   class Mesh extends Shape {
-    constructor(points, triangles, options = {}) {
+    constructor(points, triangles, given) {
       super(
         made("mesh", () => {
+          const options = membersOf(given, "mesh.options", ["sides", "solid"]);
           const corners = rows(points, 3, "mesh.points");
           const faces = rows(triangles, 3, "mesh.triangles", Uint32Array);
           const seen = named(sides, options.sides ?? "both", "mesh.sides");
@@ -220,9 +222,10 @@ export function shapeClasses(core, layout, args, Handle) {
     }
   }
   class HeightField extends Shape {
-    constructor(heights, columns, rowCount, options = {}) {
+    constructor(heights, columns, rowCount, given) {
       super(
         made("height_field", () => {
+          const options = membersOf(given, "heightField.options", ["spacing", "sides"]);
           whole(columns, "heightField.columns");
           whole(rowCount, "heightField.rowCount");
           if (heights?.length !== columns * rowCount)
@@ -244,7 +247,7 @@ export function shapeClasses(core, layout, args, Handle) {
       super(
         made("compound", () => {
           const size = layout.child.size;
-          const first = core.room(Math.max(1, children.length) * size);
+          const first = core.room(Math.max(1, arrayOf(children, "compound.children").length) * size);
           children.forEach((child, i) => {
             const path = `compound.children[${i}]`;
             const at = pose(child, path, ["shape"]);

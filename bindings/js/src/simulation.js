@@ -1,12 +1,15 @@
 // Bodies that fall, collide, rest and are tied together; and the response to one blow.
 
 import { bytesWritten, copied, created } from "./capture.js";
-import { InvalidValue, shown } from "./core.js";
+import { callback, InvalidValue, membersOf, shown } from "./core.js";
 import { named } from "./layout.js";
 import { freeMotion, passing } from "./motion.js";
 
 const axes = ["x", "y", "z"];
 const jointKinds = ["fixed", "ball", "hinge", "slider"];
+const jointMembers = ["a", "b", "frameA", "frameB", "kind", "limits", "drives", "enableCollision"];
+/** The members of a struct that say whether others are there, which the caller does not write. */
+const told = (name) => !name.startsWith("has");
 
 /** The simulations of a dimension, whose turnings are written by `turning`. */
 export function simulationClasses(core, layout, dimension, worlds, Handle) {
@@ -17,22 +20,23 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
   const vector = (value, path) => written(types.vector, value, path);
   /** The number of numbers that a pose in an array has. */
   const poseNumbers = types.pose.size / core.numberSize;
-  /** The library's defaults, overwritten by the caller's values. */
-  const settled = (type, name, value) => {
+  /** The library's defaults, overwritten by the caller's values, of which none may be named otherwise; `besides` are
+   * members that the caller does not write. */
+  const settled = (type, name, given, path, besides = () => ({})) => {
+    const value = membersOf(given, path, Object.keys(type.members).filter(told));
     const p = core.room(type.size);
     core.exports[`graze_${prefix}${name}_default_${core.scalar}`](p);
-    type.write(p, value, name);
+    type.write(p, { ...value, ...besides(value) }, path);
     return p;
   };
   const inertia = types.dynamics.members.inertia === undefined ? "inertiaDiagonal" : "inertia";
-  const dynamicsAt = (value = {}) =>
-    settled(types.dynamics, "dynamics", {
-      ...value,
+  const dynamicsAt = (given) =>
+    settled(types.dynamics, "dynamics", given, "dynamics", (value) => ({
       hasMass: value.mass !== undefined,
       hasCenterOfMass: value.centerOfMass !== undefined,
       hasInertia: value[inertia] !== undefined,
-    });
-  const materialAt = (value = {}) => settled(types.material, "material", value);
+    }));
+  const materialAt = (given) => settled(types.material, "material", given, "material");
 
   /** Writes structs one behind the other. */
   const several = (type, values, path) => {
@@ -40,18 +44,22 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     values.forEach((value, i) => type.write(first + i * type.size, value, `${path}[${i}]`));
     return first;
   };
-  const limit = (value) => ({
-    space: value.space,
-    axes: axes.map((axis) => value.axes.includes(axis)),
-    min: value.min ?? -Infinity,
-    max: value.max ?? Infinity,
-    stiffness: value.stiffness ?? 0,
-    damping: value.damping ?? 0,
-  });
+  const limit = (given, i) => {
+    const path = `joint.limits[${i}]`;
+    const { space, axes: held, min = -Infinity, max = Infinity, stiffness = 0, damping = 0 } =
+      membersOf(given, path, Object.keys(layout.jointLimit.members));
+    for (const axis of Array.isArray(held) ? held : [held]) named(axes, axis, `${path}.axes`);
+    return { space, axes: axes.map((axis) => held.includes(axis)), min, max, stiffness, damping };
+  };
   const shownLimit = ({ axes: held, ...bounds }) => ({ ...bounds, axes: axes.filter((_, i) => held[i]) });
-  const drive = (value) => ({
-    mode: "force", positionTarget: 0, velocityTarget: 0, stiffness: 0, damping: 0, maxForce: Infinity, ...value });
-  const jointAt = (value) => {
+  const drive = (given, i) => {
+    const {
+      space, axis, mode = "force", positionTarget = 0, velocityTarget = 0, stiffness = 0, damping = 0,
+      maxForce = Infinity } = membersOf(given, `joint.drives[${i}]`, Object.keys(layout.jointDrive.members));
+    return { space, axis, mode, positionTarget, velocityTarget, stiffness, damping, maxForce };
+  };
+  const jointAt = (given) => {
+    const value = membersOf(given, "joint", jointMembers);
     const p = core.room(types.joint.size);
     const frameA = pose(value.frameA, "joint.frameA");
     const frameB = pose(value.frameB, "joint.frameB");
@@ -149,9 +157,11 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
   }
 
   class Simulation extends Handle {
-    constructor(settings = {}) {
-      const begin = () => settled(types.simulationSettings, "simulation_settings", settings);
-      super(...created(core, `${prefix}simulation`, begin, settings.capture));
+    constructor(given) {
+      const names = [...Object.keys(types.simulationSettings.members), "capture"];
+      const { capture, ...settings } = membersOf(given, "settings", names);
+      const begin = () => settled(types.simulationSettings, "simulation_settings", settings, "settings");
+      super(...created(core, `${prefix}simulation`, begin, callback(capture, "settings.capture")));
       questionable(this, () => at(this));
     }
     add(body, dynamics, material) {
@@ -184,7 +194,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
       core.frame(() => call("apply_torque", changed(this), idAt(id, "body"), turning(torque, "torque")));
     }
     setVelocity(id, velocity) {
-      core.frame(() => call("set_velocity", changed(this), idAt(id, "body"), written(types.velocity, velocity, "velocity")));
+      core.frame(() => call("set_velocity", changed(this), idAt(id, "body"), velocityAt(velocity)));
     }
     setPose(id, to) {
       core.frame(() => call("set_pose", changed(this), idAt(id, "body"), pose(to, "pose")));

@@ -1,11 +1,14 @@
 // Bodies, the pairs that touch, and queries of them.
 
 import { created } from "./capture.js";
-import { InvalidValue, shown, whole } from "./core.js";
+import { arrayOf, callback, InvalidValue, membersOf, shown, whole } from "./core.js";
+import { castOptions } from "./questions.js";
 import { bodyMembers } from "./shapes.js";
 
 /** The casts of a slide, at most, as `SlideOptions` of C++ has them. */
 const usualCasts = 6;
+const filterMembers = ["category", "mask", "group"];
+const queryMembers = [...filterMembers, "triggers", "accept"];
 
 /** The worlds of a dimension, whose poses are written by `pose` and shown by `shown` once they are read. */
 export function worldClasses(core, layout, dimension, Rows, Handle) {
@@ -24,27 +27,32 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     layout.filter.write(place, {
       category: filter.category ?? 1n, mask: filter.mask ?? 0xffffffffffffffffn, group: filter.group ?? 0 }, path);
   };
-  const bodyAt = (body) => {
+  const bodyAt = (body = {}) => {
     const p = core.room(types.body.size);
+    const at = pose(body, "body", bodyMembers);
     const { linear, angular, fixed = false, trigger = false, fast = false } = body;
     types.body.write(p, { shape: of(body.shape, "body.shape"), linear, angular, fixed, trigger, fast }, "body");
-    core.copy(pose(body, "body", bodyMembers), p + types.body.offset.pose, types.pose.size);
-    writeFilter(p + types.body.offset.filter, body.filter ?? {}, "body.filter");
+    core.copy(at, p + types.body.offset.pose, types.pose.size);
+    writeFilter(p + types.body.offset.filter, membersOf(body.filter, "body.filter", filterMembers), "body.filter");
     return p;
   };
+  const velocityAt = (velocity) =>
+    written(types.velocity, membersOf(velocity, "velocity", Object.keys(types.velocity.members)), "velocity");
   /** A callback that decides last, as the two members of a struct; `key` is null where there is none. */
   const kept = (callback, pointer) => {
     if (callback === undefined) return { key: null, function: 0 };
     return { key: core.keep(callback), function: core.exports[pointer]() };
   };
-  /** Runs a query with a filter that lives as long as the query. */
-  const filtered = (options, body) => {
+  /** Runs a query with a filter that lives as long as the query, and with the options that were given for both; the
+   * query's own have the names `besides`. */
+  const filtered = (given, besides, body) => {
     const p = core.room(layout.queryFilter.size);
-    const accept = kept(options?.accept, "graze_js_accept");
-    writeFilter(p + layout.queryFilter.offset.filter, options ?? {}, "filter");
-    layout.queryFilter.write(p, { triggers: options?.triggers ?? false, accept: accept.function, user: accept.key ?? 0 });
+    const options = membersOf(given, "options", [...queryMembers, ...besides]);
+    writeFilter(p + layout.queryFilter.offset.filter, options, "filter");
+    const accept = kept(callback(options.accept, "accept"), "graze_js_accept");
     try {
-      return body(p);
+      layout.queryFilter.write(p, { triggers: options.triggers ?? false, accept: accept.function, user: accept.key ?? 0 });
+      return body(p, options);
     } finally {
       if (accept.key !== null) core.callbacks.delete(accept.key);
     }
@@ -61,6 +69,10 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   const read = ({ first, count, type }) => layout.readAll(type, first, count);
   const listed = (type, name, ...parameters) =>
     ask.listed(type, (buffer, first, count) => call(name, ...parameters, buffer, first, count));
+
+  const rayed = (ray, f, options) => [ask.ray(ray), ask.length(ray), f, ...ask.backs(options)];
+  const moved = (moving, f, options) =>
+    [ask.moving(moving, "moving"), options.duration ?? 1, f, ask.separating(options)];
 
   /** The queries of a world, of its own or of a simulation's; `pointer` returns its pointer. */
   const asked = (pointer) => ({
@@ -114,41 +126,35 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     events: () => read(own(layout.contactEvent, "events", pointer())),
     impacts: () => read(own(types.impact, "impacts", pointer())),
     overlapping: (shape, at, filter) =>
-      filtered(filter, (f) => listed(layout.id, "overlapping", pointer(), of(shape), pose(at, "pose"), f)),
+      filtered(filter, [], (f) => listed(layout.id, "overlapping", pointer(), of(shape), pose(at, "pose"), f)),
     overlapsAny: (shape, at, filter) =>
-      filtered(filter, (f) => yes("overlaps_any", pointer(), of(shape), pose(at, "pose"), f)),
-    nearest: (shape, at, most, options) =>
-      filtered(options, (f) =>
-        listed(types.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), whole(most, "most"),
-          options?.limit ?? Infinity, f)),
-    raycast: (ray, options) =>
-      filtered(options, (f) =>
-        ask.found(types.bodyRayHit, (there, p) =>
-          call("raycast", pointer(), ask.ray(ray), ask.length(ray), f, ...ask.backs(options), there, p))),
-    raycastAny: (ray, options) =>
-      filtered(options, (f) => yes("raycast_any", pointer(), ask.ray(ray), ask.length(ray), f, ...ask.backs(options))),
-    raycastAll: (ray, options) =>
-      filtered(options, (f) =>
-        listed(types.bodyRayHit, "raycast_all", pointer(), ask.ray(ray), ask.length(ray), f, ...ask.backs(options))),
-    cast: (moving, options) =>
-      filtered(options, (f) =>
-        ask.found(types.bodyCastHit, (there, p) =>
-          call(
-            "cast", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f, ask.separating(options), there, p))),
-    castAll: (moving, options) =>
-      filtered(options, (f) =>
-        listed(
-          types.bodyCastHit, "cast_all", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f,
-          ask.separating(options))),
-    slide: (shape, at, motion, options) =>
-      filtered(options, (f) => {
+      filtered(filter, [], (f) => yes("overlaps_any", pointer(), of(shape), pose(at, "pose"), f)),
+    nearest: (shape, at, most, given) =>
+      filtered(given, ["limit"], (f, { limit = Infinity }) =>
+        listed(types.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), whole(most, "most"), limit, f)),
+    raycast: (ray, given) =>
+      filtered(given, ask.rayOptions, (f, options) =>
+        ask.found(types.bodyRayHit, (there, p) => call("raycast", pointer(), ...rayed(ray, f, options), there, p))),
+    raycastAny: (ray, given) =>
+      filtered(given, ask.rayOptions, (f, options) => yes("raycast_any", pointer(), ...rayed(ray, f, options))),
+    raycastAll: (ray, given) =>
+      filtered(given, ask.rayOptions, (f, options) =>
+        listed(types.bodyRayHit, "raycast_all", pointer(), ...rayed(ray, f, options))),
+    cast: (moving, given) =>
+      filtered(given, castOptions, (f, options) =>
+        ask.found(types.bodyCastHit, (there, p) => call("cast", pointer(), ...moved(moving, f, options), there, p))),
+    castAll: (moving, given) =>
+      filtered(given, castOptions, (f, options) =>
+        listed(types.bodyCastHit, "cast_all", pointer(), ...moved(moving, f, options))),
+    slide: (shape, at, motion, given) =>
+      filtered(given, ["casts"], (f, { casts = usualCasts }) => {
         const end = core.room(types.pose.size);
         const left = core.room(types.vector.size);
         const way = written(types.vector, motion, "motion");
         const touched = ask.listed(types.bodyCastHit, (buffer, first, count) =>
           call(
-            "slide", pointer(), of(shape), pose(at, "pose"), way, whole(options?.casts ?? usualCasts, "casts"), f,
-            buffer, end, left, first, count));
+            "slide", pointer(), of(shape), pose(at, "pose"), way, whole(casts, "casts"), f, buffer, end, left, first,
+            count));
         return { end: shownPose(types.pose.read(end)), left: types.vector.read(left), touched };
       }),
     memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
@@ -171,8 +177,9 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   };
 
   class World extends Handle {
-    constructor(settings = {}) {
-      const allow = kept(settings.allow, "graze_js_allow");
+    constructor(given) {
+      const settings = membersOf(given, "settings", ["margin", "pointsPerPair", "allow", "capture"]);
+      const allow = kept(callback(settings.allow, "settings.allow"), "graze_js_allow");
       const begin = () => {
         const p = core.room(layout.worldSettings.size);
         const { margin, pointsPerPair } = settings;
@@ -180,7 +187,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
           hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 }, "settings");
         return p;
       };
-      const [pointer, release] = created(core, `${prefix}world`, begin, settings.capture);
+      const [pointer, release] = created(core, `${prefix}world`, begin, callback(settings.capture, "settings.capture"));
       super(pointer, (p) => {
         release(p);
         if (allow.key !== null) core.callbacks.delete(allow.key);
@@ -195,17 +202,17 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     }
     move(id, to, velocity) {
       core.frame(() => {
-        const v = velocity === undefined ? 0 : written(types.velocity, velocity, "velocity");
+        const v = velocity === undefined ? 0 : velocityAt(velocity);
         call("move", changed(this), idAt(id, "body"), pose(to, "pose"), v);
       });
     }
     moveBatch(ids, poses) {
       core.frame(() => {
         const { pointer, count } = numbersOf(poses, poseNumbers, "poses");
-        if (ids.length !== count) throw new InvalidValue(`poses: expected ${ids.length} of them, got ${count}`);
+        if (arrayOf(ids, "ids").length !== count) throw new InvalidValue(`poses: expected ${ids.length} of them, got ${count}`);
         const size = layout.id.size;
         const first = core.room(Math.max(1, count) * size);
-        ids.forEach((id, i) => layout.id.write(first + i * size, id, `ids[${i}]`));
+        for (let i = 0; i < count; ++i) core.copy(idAt(ids[i], `ids[${i}]`), first + i * size, size);
         call("move_batch", changed(this), first, 0, pointer, 0, count);
       });
     }
@@ -215,7 +222,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     setFilter(id, filter) {
       core.frame(() => {
         const p = core.room(layout.filter.size);
-        writeFilter(p, filter, "filter");
+        writeFilter(p, membersOf(filter, "filter", filterMembers), "filter");
         call("set_filter", changed(this), idAt(id, "body"), p);
       });
     }
@@ -237,5 +244,5 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   }
   const changed = (world) => Handle.changed(world, "world", World);
 
-  return { World, idAt, bodyAt, questionable, pointerOf };
+  return { World, idAt, bodyAt, velocityAt, questionable, pointerOf };
 }

@@ -24,9 +24,12 @@ interface Placed extends Place {
 }
 
 const axes = ["x", "y", "z"] as const;
-const limitOf = ({ linearAxes, angularAxes, ...rest }: Limit): graze.JointLimit => ({
-  ...rest, space: linearAxes ? "linear" : "angular", axes: (linearAxes ?? angularAxes ?? []).map((i) => axes[i]) });
-const driveOf = ({ type, axis, ...rest }: Drive): graze.JointDrive => ({ ...rest, space: type, axis: axes[axis] });
+const limitOf = ({ linearAxes, angularAxes, min, max, stiffness, damping }: Limit): graze.JointLimit => ({
+  min, max, stiffness, damping, space: linearAxes ? "linear" : "angular", axes: (linearAxes ?? angularAxes ?? []).map((i) => axes[i]) });
+const materialOf = ({ staticFriction, dynamicFriction, restitution, frictionCombine, restitutionCombine }: graze.Material): graze.Material => ({
+  staticFriction, dynamicFriction, restitution, frictionCombine, restitutionCombine });
+const driveOf = ({ type, axis, mode, positionTarget, velocityTarget, stiffness, damping, maxForce }: Drive): graze.JointDrive => ({
+  mode, positionTarget, velocityTarget, stiffness, damping, maxForce, space: type, axis: axes[axis] });
 
 class GltfReader {
   private readonly gltf: Gltf;
@@ -126,7 +129,7 @@ class GltfReader {
       shape: parts.length === 1 ? shape : { type: "compound", compound: { children } },
       translation: at.translation, rotation: at.rotation, moves: mover !== null, trigger: Boolean(rigid?.trigger),
       ...(filter !== undefined && this.named[filter] ? { filter: this.filter(this.named[filter]) } : {}),
-      ...(material !== undefined ? { material: this.physics?.physicsMaterials?.[material] ?? {} } : {}),
+      ...(material !== undefined ? { material: materialOf(this.physics?.physicsMaterials?.[material] ?? {}) } : {}),
       ...(mover === null ? {} : this.motion(this.placed.get(mover)!, at)),
     };
   }
