@@ -150,3 +150,111 @@ def test_counts_are_refused_by_name():
         with pytest.raises(ValueError, match=message):
             question()
     assert body in world
+
+
+@pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
+def test_every_protocol_of_pickle_makes_the_value_or_an_error(protocol):
+    world = graze.World()
+    body = world.add(graze.Box((2, 2, 2)))
+    for value in [body, graze.Pose((1, 2, 3)), plane.Pose((1, 2), 0.5)]:
+        assert pickle.loads(pickle.dumps(value, protocol)) == value
+    state = graze.Simulation().save()
+    graze.Simulation().restore(pickle.loads(pickle.dumps(state, protocol)))
+    for value in [world, graze.Simulation(), plane.World(), graze.BroadPhase(), graze.PairChanges()]:
+        with pytest.raises(TypeError, match="cannot pickle"):
+            pickle.dumps(value, protocol)
+
+
+def test_arrays_of_texts_and_times_are_refused():
+    ball = graze.Sphere(1)
+    poses = np.zeros((2, 7), int)
+    poses[:, 6] = 1
+    for kind in ("U8", "S8", "m8[s]", "M8[s]"):
+        for ask in [
+            lambda: graze.batch.overlap(ball, None, ball, poses.astype(kind)),
+            lambda: graze.distance(ball, poses[0].astype(kind), ball, None),
+            lambda: graze.Box(np.ones(3, int).astype(kind)),
+            lambda: graze.Mesh(np.eye(3, dtype=int).astype(kind), [(0, 1, 2)]),
+            lambda: plane.Polygon(np.array([(0, 0), (2, 0), (0, 2)]).astype(kind)),
+        ]:
+            with pytest.raises(TypeError, match="expected an array of numbers, got one of "):
+                ask()
+    with pytest.raises(TypeError, match="vertices: expected an array of numbers"):
+        graze.Mesh([("0", "0", "0"), ("1", "0", "0"), ("0", "1", "0")], [(0, 1, 2)])
+
+
+def test_an_empty_list_is_an_array_of_no_rows():
+    ball, disk = graze.Sphere(1), plane.Circle(1)
+    assert graze.batch.overlap(ball, [None] * 3, ball, [None] * 3, pairs=[]).shape == (0,)
+    assert graze.batch.closest(ball, None, []).shape == (0,)
+    assert graze.batch.raycast(ball, None, [], (1, 0, 0)).shape == (0,)
+    assert plane.batch.closest(disk, None, []).shape == (0,)
+    assert len(graze.ShapeArray.boxes([])) == 0
+    assert graze.along_planes((1, 2, 3), []).tolist() == [1, 2, 3]
+    assert plane.along_lines((1, 2), []).tolist() == [1, 2]
+    with pytest.raises(ValueError, match="points: expected"):
+        graze.ConvexHull([])
+    with pytest.raises(ValueError, match="triangles: expected at least one triangle"):
+        graze.Mesh([], [])
+
+
+def test_normals_of_obstacles_have_unit_length():
+    for normals, got in [([(0, 1, 0), (0, 2, 0)], "2"), ([(1, 0, 0), (0, 0, 0)], "0")]:
+        with pytest.raises(ValueError, match=rf"normals\[1\]: expected a vector of unit length, got {got}$"):
+            graze.along_planes((1, -1, 0), normals)
+        with pytest.raises(ValueError, match=rf"normals\[1\]: expected a vector of unit length, got {got}$"):
+            plane.along_lines((1, -1), [normal[:2] for normal in normals])
+
+
+def test_an_index_that_no_32_bits_hold_is_named_as_it_was_given():
+    ball = graze.Sphere(1)
+    for index in (2**32, 2**63, 2**64 - 1):
+        with pytest.raises(ValueError, match=rf"pairs\[1\]\[0\]: expected an index from 0 to 4294967295, got {index}$"):
+            graze.batch.overlap(ball, [None], ball, [None], pairs=np.array([[0, 0], [index, 0]], np.uint64))
+
+
+def test_numbers_of_another_form_are_named():
+    for wrong in ("x", (1, 2), None):
+        with pytest.raises(TypeError, match="size: expected a number, got"):
+            graze.draw(type("Renderer", (), {"size": wrong, "line": print})(), graze.Sphere(1))
+    with pytest.raises(TypeError, match="inertia: expected a number, got 'x'"):
+        plane.Simulation().add(plane.Circle(1), inertia="x")
+    with pytest.raises(TypeError, match=r"inertia: expected a number, got \(1, 2\)"):
+        plane.StruckBody(1, (1, 2))
+    with pytest.raises(TypeError, match="layers: expected a list of words, got one word"):
+        graze.draw(type("Renderer", (), {"layers": "contacts"})(), graze.Sphere(1))
+    with pytest.raises(TypeError, match="line: expected a method, got 3"):
+        graze.draw(type("Renderer", (), {"line": 3})(), graze.Sphere(1))
+
+
+def test_an_array_of_shapes_is_a_sequence():
+    shapes = graze.ShapeArray.spheres([1, 2, 3, 4])
+    radii = [shape.radius for shape in shapes]
+    for i in range(-4, 4):
+        assert shapes[i].radius == radii[i]
+    for i in (-5, 4):
+        with pytest.raises(IndexError, match=f"index {i} of 4 shapes"):
+            shapes[i]
+    for part in (slice(None), slice(1, 3), slice(None, None, -1), slice(-2, None), slice(3, 1), slice(0, 9, 3)):
+        found = shapes[part]
+        assert isinstance(found, graze.ShapeArray)
+        assert [shape.radius for shape in found] == radii[part]
+    with pytest.raises(ValueError, match=r"sizes\[1\].size\[2\]: expected a finite number >= 0, got -3"):
+        graze.ShapeArray.boxes([(1, 2, 3), (1, 2, -3)])
+    with pytest.raises(ValueError, match=r"radii\[2\].radius: expected a finite number >= 0, got -1"):
+        graze.ShapeArray.spheres([1, 2, -1])
+
+
+def test_shapes_tell_what_they_were_made_of():
+    rectangle, segment = graze.Rectangle(1, 2), graze.Segment((0, 1, 2), (3, 4, 5))
+    assert (rectangle.size_x, rectangle.size_z) == (1, 2)
+    assert segment.a.tolist() == [0, 1, 2] and segment.b.tolist() == [3, 4, 5]
+    corners = np.arange(9.0).reshape(3, 3) ** 2
+    triangle = graze.Triangle(*corners)
+    assert np.array_equal([triangle.a, triangle.b, triangle.c], corners)
+    heights = np.arange(6.0).reshape(2, 3)
+    heights[0, 0] = np.nan
+    field = graze.HeightField(heights, 0.5, 2, front_only=True)
+    assert np.array_equal(field.heights, heights, equal_nan=True)
+    assert (field.spacing_x, field.spacing_z, field.front_only) == (0.5, 2, True)
+    assert not graze.Mesh(corners, [(0, 1, 2)]).front_only

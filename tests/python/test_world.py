@@ -1,9 +1,13 @@
 """Worlds, simulations and scenes against brute force, closed forms and themselves."""
 
+import gc
 import json
 import pathlib
 import pickle
+import subprocess
+import sys
 import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -468,3 +472,116 @@ def test_groups_of_questions():
     assert world.overlapping(graze.Sphere(0.5)) == [own, other]
     assert world.overlapping(graze.Sphere(0.5), group=-7) == [other]
     assert world.overlapping(graze.Sphere(0.5), mask=0) == []
+
+
+@pytest.mark.parametrize("of, ball", [(graze, graze.Sphere(1)), (plane, plane.Circle(1))])
+def test_a_world_and_the_object_whose_method_decides_are_collected(of, ball):
+    class Game:
+        def __init__(self, later):
+            self.world = of.World() if later else of.World(allow=self.allow)
+            if later:
+                self.world.set_allow(self.allow)
+            self.world.add(ball), self.world.add(ball)
+            self.world.update()
+
+        def allow(self, a, b):
+            gc.collect()  # the world is held by the call that asks
+            return True
+
+    class Own(of.World):
+        pass
+
+    def held_by_its_function():
+        world = Own(allow=lambda a, b: world is not None)
+        return weakref.ref(world)
+
+    for later in (False, True):
+        kept = Game(later)
+        gone, lost = weakref.ref(Game(later)), held_by_its_function()
+        gc.collect()
+        assert gone() is None and lost() is None
+        kept.world.update()
+        assert kept.world.touching.tolist() == [[0, 1]]
+
+
+@pytest.mark.parametrize("of, size", [(graze, 3), (plane, 2)])
+def test_many_bodies_move_to_poses_of_any_form(of, size):
+    ball = graze.Sphere(1) if of is graze else plane.Circle(1)
+    world = of.World()
+    bodies = [world.add(ball) for _ in range(3)]
+    places = np.arange(3.0 * size).reshape(3, size)
+    turned = of.Pose(places[1], (0, 0, 0.6, 0.8) if of is graze else 0.5)
+    whole = np.array([of.Pose(place).matrix for place in places])
+    for poses in (places, list(places), [tuple(place) for place in places], whole, [of.Pose(place) for place in places]):
+        world.move_all(bodies, np.zeros((3, size)))
+        world.move_all(bodies, poses)
+        assert [world.pose(body).translation.tolist() for body in bodies] == places.tolist()
+    world.move_all(bodies, [None, turned, places[2]])
+    assert world.pose(bodies[0]) == of.Pose() and world.pose(bodies[1]) == turned
+    for poses, error, message in [
+        ([None, None, (float("nan"),) + (0,) * (size - 1)], ValueError, r"poses\[2\].translation\[0\]: expected a finite"),
+        ([None, "x", None], TypeError, r"poses\[1\]: expected a pose"),
+        ([None, None], ValueError, "poses: expected 3 rows, one for each body, got 2"),
+        (5, TypeError, "poses: expected an array or a sequence of poses"),
+    ]:
+        with pytest.raises(error, match=message):
+            world.move_all(bodies, poses)
+    assert world.pose(bodies[1]) == turned
+
+
+def test_pairs_that_another_thread_changes_meanwhile_were_read_before():
+    """In a process of its own, which places far beyond the bodies ended."""
+    program = """
+import threading, time
+import numpy as np, graze
+ball, poses, pairs = graze.Sphere(1), np.zeros((10, 7)), np.zeros((500_000, 2), np.uint32)
+poses[:, 6] = 1
+done = []
+def change():
+    while not done:
+        pairs[:] = 2**31
+        pairs[:] = 3
+thread = threading.Thread(target=change)
+thread.start()
+end = time.monotonic() + 1.5
+while time.monotonic() < end:
+    try:
+        assert len(graze.batch.distance(ball, poses, ball, poses, pairs=pairs)) == len(pairs)
+    except ValueError as error:
+        assert "expected a place below 10" in str(error), error
+done.append(True)
+thread.join()
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+
+
+@pytest.mark.parametrize("of, ball, size", [(graze, graze.Sphere(1), 7), (plane, plane.Circle(1), 4)])
+def test_a_world_tells_its_bodies_by_index(of, ball, size):
+    world, filter = of.World(), graze.Filter(2, 5, -1)
+    bodies = [world.add(ball, (3 * i,) + (0,) * (2 if of is graze else 1), filter=filter) for i in range(3)]
+    world.remove(bodies[1])
+    assert [world.body_at(i) for i in range(4)] == [bodies[0], None, bodies[2], None]
+    assert world.body_at(2**32 - 1) is None
+    with pytest.raises(ValueError, match="index: expected an integer from 0 to 4294967295, got -1"):
+        world.body_at(-1)
+    assert world.poses.shape == (3, size)
+    assert world.poses[[0, 2], 0].tolist() == [0, 6]
+    assert repr(world.filter(bodies[0])) == repr(filter)
+    with pytest.raises(ValueError, match="body: expected a body of this world"):
+        world.filter(bodies[1])
+    empty = of.World().memory
+    assert 0 <= empty < world.memory
+    again = world.add(ball)
+    assert (again.index, world.body_at(1)) == (1, again)
+    world.update()
+    assert [tuple(world.body_at(i) for i in pair) for pair in world.touching] == [(bodies[0], again)]
+
+
+def test_filters_say_whether_two_bodies_may_collide():
+    masks = [graze.Filter(category, mask, group) for category in (1, 2) for mask in (1, 2, 3) for group in (0, 1, -1)]
+    for a in masks:
+        for b in masks:
+            meet = bool(a.category & b.mask and b.category & a.mask)
+            expected = a.group > 0 if a.group == b.group != 0 else meet
+            assert a.may_collide(b) == b.may_collide(a) == expected

@@ -17,11 +17,19 @@ from . import plane  # noqa: F401
 
 __all__ = [name for name in dir(_graze) if not name.startswith("_")]
 
-for _name in __all__:
-    _thing = getattr(_graze, _name)
-    if isinstance(_thing, type):
-        _thing.__module__ = "graze"
-del _name, _thing
+
+def _reduce(self, protocol):
+    """A pickle by protocol 2 at least. The older ones make a bare object of pybind11's base class, which ends Python."""
+    return object.__reduce_ex__(self, max(protocol, 2))
+
+
+for _module in (_graze, _graze._plane):
+    for _thing in vars(_module).values():
+        if isinstance(_thing, type):
+            _thing.__reduce_ex__ = _reduce
+            if _module is _graze:
+                _thing.__module__ = "graze"
+del _module, _thing
 
 
 def _make_shape(name, arguments):

@@ -1,17 +1,23 @@
 #include "convert.hpp"
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace graze::python {
 
 namespace {
 
-/// Throws for an array whose numbers are not all that it holds: an imaginary part would be dropped, and a mask with it.
+/// Throws for an array that holds something else than numbers, or more: NumPy would read texts and spans of time as
+/// numbers, and drop an imaginary part and a mask.
 void check_plain(const py::handle& from, const char* name) {
   if (!py::isinstance<py::array>(from)) return;
   const auto array = py::reinterpret_borrow<py::array>(from);
-  if (array.dtype().kind() == 'c')
-    throw py::type_error(std::string(name) + ": expected real numbers, got complex ones");
+  const char kind = array.dtype().kind();
+  if (kind == 'c') throw py::type_error(std::string(name) + ": expected real numbers, got complex ones");
+  if (std::string_view("fiubO").find(kind) == std::string_view::npos)
+    throw py::type_error(std::string(name) + ": expected an array of numbers, got one of " +
+                         std::string(py::str(array.dtype())));
   const auto* plain = reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
   if (reinterpret_cast<const PyObject*>(Py_TYPE(from.ptr())) != plain && py::hasattr(from, "mask"))
     throw py::type_error(std::string(name) + ": expected an array without a mask, got a masked one");
@@ -127,6 +133,13 @@ bool read_pose(py::handle from, Posed& to) {
   return true;
 }
 
+double number_from(const py::object& from, const char* path) {
+  double number = 0;
+  if (!read_numbers(py::make_tuple(from), &number, 1))
+    throw py::type_error(std::string(path) + ": expected a number, got " + std::string(py::str(py::repr(from))));
+  return number;
+}
+
 py::array_t<double> array_of_points(std::span<const Vec3d> points) {
   py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
   double* out = array.mutable_data();
@@ -135,43 +148,72 @@ py::array_t<double> array_of_points(std::span<const Vec3d> points) {
   return array;
 }
 
-Rows rows(py::handle from, py::ssize_t columns, const char* name) {
+namespace {
+
+/// What Python passed as an array, in its own type.
+py::array given_array(py::handle from, const char* name) {
   check_plain(from, name);
-  const auto array = Rows::ensure(from);
+  const py::array given = py::array::ensure(from);
+  if (!given) {
+    PyErr_Clear();
+    throw py::type_error(std::string(name) + ": expected an array of numbers");
+  }
+  check_plain(given, name);
+  return given;
+}
+
+/// Whether an array is an empty list, which NumPy knows no columns of.
+bool no_rows(const py::array& array) { return array.ndim() == 1 && array.size() == 0; }
+
+/// Throws for an array that has not so many columns.
+void check_rows(const py::array& array, py::ssize_t columns, const char* name) {
+  if (array.ndim() == 2 && array.shape(1) == columns) return;
+  std::string shape;
+  for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i ? ", " : "") + std::to_string(array.shape(i));
+  validate::fail(name, "an array of shape (n, " + std::to_string(columns) + ")", "shape (" + shape + ")");
+}
+
+/// The indices of an array whose numbers `Number` holds. They are copied: the caller's array may be changed by another
+/// thread after they were checked.
+template <class Number>
+IndexRows copied_indices(const py::array& given, py::ssize_t columns, const char* name) {
+  const auto array = py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(given);
+  IndexRows indices(py::array::ShapeContainer{array.shape(0), columns});
+  std::uint32_t* to = indices.mutable_data();
+  for (py::ssize_t i = 0; i < array.size(); ++i) {
+    const Number index = array.data()[i];
+    to[i] = static_cast<std::uint32_t>(index);
+    if (!std::in_range<std::uint32_t>(index))
+      validate::fail(std::string(name) + "[" + std::to_string(i / columns) + "][" + std::to_string(i % columns) + "]",
+                     "an index from 0 to 4294967295", std::to_string(index));
+  }
+  return indices;
+}
+
+}  // namespace
+
+Rows rows(py::handle from, py::ssize_t columns, const char* name) {
+  const py::array given = given_array(from, name);
+  const auto array = Rows::ensure(given);
   if (!array) {
     PyErr_Clear();
     throw py::type_error(std::string(name) + ": expected an array of numbers");
   }
-  if (array.ndim() != 2 || array.shape(1) != columns) {
-    std::string shape;
-    for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i ? ", " : "") + std::to_string(array.shape(i));
-    validate::fail(name, "an array of shape (n, " + std::to_string(columns) + ")", "shape (" + shape + ")");
-  }
+  if (no_rows(array)) return Rows(py::array::ShapeContainer{py::ssize_t{0}, columns});
+  check_rows(array, columns, name);
   return array;
 }
 
 IndexRows index_rows(py::handle from, py::ssize_t columns, const char* name) {
-  check_plain(from, name);
-  const py::array given = py::array::ensure(from);
-  if (!given || (given.size() > 0 && given.dtype().kind() != 'i' && given.dtype().kind() != 'u')) {
-    PyErr_Clear();
+  const py::array given = given_array(from, name);
+  const char kind = given.dtype().kind();
+  if (given.size() > 0 && kind != 'i' && kind != 'u')
     throw py::type_error(std::string(name) + ": expected an array of whole numbers");
-  }
-  const auto array = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(given);
-  if (array.ndim() != 2 || array.shape(1) != columns)
-    validate::fail(name, "an array of shape (n, " + std::to_string(columns) + ")",
-                   std::to_string(array.ndim()) + " dimensions");
-  if (given.dtype().is(py::dtype::of<std::uint32_t>()) && IndexRows::check_(given))
-    return py::reinterpret_borrow<IndexRows>(given);
-  IndexRows indices({array.shape(0), columns});
-  for (py::ssize_t i = 0; i < array.size(); ++i) {
-    const std::int64_t index = array.data()[i];
-    if (index < 0 || index > 0xffffffffLL)
-      validate::fail(std::string(name) + "[" + std::to_string(i / columns) + "][" + std::to_string(i % columns) + "]",
-                     "an index from 0 to 4294967295", std::to_string(index));
-    indices.mutable_data()[i] = static_cast<std::uint32_t>(index);
-  }
-  return indices;
+  if (no_rows(given)) return IndexRows(py::array::ShapeContainer{py::ssize_t{0}, columns});
+  check_rows(given, columns, name);
+  if (given.dtype().is(py::dtype::of<std::uint32_t>())) return copied_indices<std::uint32_t>(given, columns, name);
+  return kind == 'u' ? copied_indices<std::uint64_t>(given, columns, name)
+                     : copied_indices<std::int64_t>(given, columns, name);
 }
 
 py::dtype record_type(std::initializer_list<Field> fields, std::size_t size) {

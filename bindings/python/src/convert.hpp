@@ -50,10 +50,11 @@ bool read_vector(py::handle from, Vec3d& to);
 /// A pose in any of its forms. Throws `InvalidValue` for numbers that are no pose.
 bool read_pose(py::handle from, Posed& to);
 
-/// An array of `columns` numbers a row, as it stands if it is contiguous and of doubles, else copied.
+/// An array of `columns` numbers a row, as it stands if it is contiguous and of doubles, else copied. An empty list is
+/// an array of no rows.
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 Rows rows(py::handle from, py::ssize_t columns, const char* name);
-/// An array of whole numbers that are indices.
+/// An array of whole numbers that are indices, always copied.
 using IndexRows = py::array_t<std::uint32_t, py::array::c_style>;
 IndexRows index_rows(py::handle from, py::ssize_t columns, const char* name);
 
@@ -84,6 +85,18 @@ struct Field {
   std::size_t offset;
 };
 py::dtype record_type(std::initializer_list<Field> fields, std::size_t size);
+
+/// A vector of unit length, of the words of space or the plane. Throws `InvalidValue` that names `path` for another.
+template <class Words>
+typename Words::Vector unit_vector(const typename Words::Vector& v, const std::string& path) {
+  Words::check(v, path);
+  const double square = dot(v, v);
+  if (!(std::abs(square - 1) <= unit_slack)) validate::fail(path, "a vector of unit length", std::sqrt(square));
+  return v;
+}
+
+/// A number from Python. Throws a TypeError that names `path` for what is none.
+double number_from(const py::object& from, const char* path);
 
 /// A limit, a length or a margin, which may be infinite. Throws `InvalidValue` for a number that is negative or none.
 inline double checked_reach(double value, const char* name) {

@@ -35,13 +35,18 @@ DrawArea area_of(const py::object& on) {
     if (!read_vector(on.attr("center"), area.center)) throw py::type_error("center: expected three numbers");
     validate::point(area.center, "center");
   }
-  if (py::hasattr(on, "size")) area.size = on.attr("size").cast<double>();
+  if (py::hasattr(on, "size")) area.size = number_from(on.attr("size"), "size");
   if (!(area.size > 0) || !(area.size <= largest_magnitude<double>)) validate::fail("size", "a size > 0", area.size);
   return area;
 }
 
 /// A method of that name, or none, as in a renderer that does not draw such things.
-py::object method_of(const py::object& on, const char* name) { return py::getattr(on, name, py::none()); }
+py::object method_of(const py::object& on, const char* name) {
+  py::object method = py::getattr(on, name, py::none());
+  if (!method.is_none() && PyCallable_Check(method.ptr()) == 0)
+    throw py::type_error(std::string(name) + ": expected a method, got " + std::string(py::str(py::repr(method))));
+  return method;
+}
 
 py::array_t<double> array_of_loop(const Polygons& shape, const std::vector<std::uint32_t>& loop) {
   py::array_t<double> out({static_cast<py::ssize_t>(loop.size()), py::ssize_t{3}});
@@ -153,10 +158,16 @@ PythonDraw::PythonDraw(const py::object& on)
       text_(method_of(on, "text")),
       polygon_(method_of(on, "polygon")),
       arrow_(method_of(on, "arrow")) {
-  if (!py::hasattr(on, "layers")) return;
+  if (py::hasattr(on, "layers")) read_layers(on.attr("layers"));
+}
+
+void PythonDraw::read_layers(const py::object& words) {
   layers_.emplace();
-  for (const py::handle layer : on.attr("layers"))
+  if (py::isinstance<py::str>(words)) throw py::type_error("layers: expected a list of words, got one word");
+  for (const py::handle layer : words) {
+    if (!py::isinstance<py::str>(layer)) throw py::type_error("layers: expected a list of words");
     layers_->insert(static_cast<DrawLayer>(place_of(layer_words, layer.cast<std::string>(), "layers")));
+  }
 }
 
 void PythonDraw::point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) {

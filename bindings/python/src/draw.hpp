@@ -11,7 +11,8 @@ namespace graze::python {
 /// The renderer that draws while one call of `draw` takes.
 class PythonDraw final : public DebugDraw {
  public:
-  /// Reads `center`, `size` and `layers` where the object has them. Throws `InvalidValue` for other values.
+  /// Reads `center`, `size` and `layers` where the object has them. Throws `InvalidValue` for other values, and a
+  /// TypeError for another form, of a method as well.
   explicit PythonDraw(const py::object& on);
 
   bool wants(DrawLayer layer) const override { return !layers_ || layers_->contains(layer); }
@@ -23,6 +24,8 @@ class PythonDraw final : public DebugDraw {
   void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) override;
 
  private:
+  void read_layers(const py::object& words);
+
   py::object on_;
   std::optional<std::set<DrawLayer>> layers_;
   /// The object's methods, or None.

@@ -69,7 +69,7 @@ struct PlaneMotion : PlaneBatch {
     return 1 / value;
   }
   static plane::InverseMass<double> inverse(double mass, const py::object& inertia, const plane::Pose2d&) {
-    return {inverse_of(mass, "mass"), inertia.is_none() ? 0 : inverse_of(inertia.cast<double>(), "inertia")};
+    return {inverse_of(mass, "mass"), inertia.is_none() ? 0 : inverse_of(number_from(inertia, "inertia"), "inertia")};
   }
   static plane::InverseMass<double> inverse_of_shape(const plane::Shaped& shape, double mass, const plane::Pose2d&) {
     if (std::isinf(mass)) return {};

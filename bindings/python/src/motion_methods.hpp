@@ -16,14 +16,6 @@ inline double coefficient(double value, const std::string& path) {
 }
 
 template <class Words>
-typename Words::Vector unit_vector(const typename Words::Vector& v, const std::string& path) {
-  Words::check(v, path);
-  const double square = dot(v, v);
-  if (!(std::abs(square - 1) <= unit_slack)) validate::fail(path, "a vector of unit length", std::sqrt(square));
-  return v;
-}
-
-template <class Words>
 struct MotionMethods {
   using Body = typename Words::Body;
   using Free = typename Words::Free;

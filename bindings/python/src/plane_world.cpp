@@ -2,6 +2,7 @@
 #include "plane_world.hpp"
 
 #include "graze/plane/world.hpp"
+#include "plane_batch.hpp"
 #include "world_methods.hpp"
 
 namespace graze::python {
@@ -20,7 +21,8 @@ void add_plane_world(py::module_& m) {
       "along_lines",
       [](const Vector2& motion, const py::object& normals) {
         const std::vector<plane::Vec2d> away = points_of_plane(normals, "normals");
-        for (std::size_t i = 0; i < away.size(); ++i) checked(away[i], ("normals[" + std::to_string(i) + "]").c_str());
+        for (std::size_t i = 0; i < away.size(); ++i)
+          unit_vector<PlaneBatch>(away[i], "normals[" + std::to_string(i) + "]");
         return array_of(plane::along_lines<double>(checked(motion.value, "motion"), away));
       },
       py::arg("motion"), py::arg("normals"),

@@ -55,7 +55,7 @@ struct PlaneWords {
   static plane::Vec2d vector_of_row(const double* p) { return python::checked({p[0], p[1]}, "impulse"); }
   /// Sets the inertia of a body, which is checked by the simulation.
   static void set_inertia(plane::Dynamics<double>& dynamics, const py::object& given) {
-    dynamics.inertia = given.cast<double>();
+    dynamics.inertia = number_from(given, "inertia");
   }
 };
 

@@ -136,11 +136,14 @@ py::dict arguments(const Mesh<double>& mesh) {
   if (mesh.solid()) a["solid"] = true;
   return a;
 }
-py::dict arguments(const HeightField<double>& field) {
+py::array_t<double> array_of_heights(const HeightField<double>& field) {
   py::array_t<double> heights({static_cast<py::ssize_t>(field.rows()), static_cast<py::ssize_t>(field.columns())});
   std::copy(field.heights().begin(), field.heights().end(), heights.mutable_data());
+  return heights;
+}
+py::dict arguments(const HeightField<double>& field) {
   py::dict a;
-  a["heights"] = heights;
+  a["heights"] = array_of_heights(field);
   a["spacing_x"] = field.spacing_x();
   a["spacing_z"] = field.spacing_z();
   if (field.sides() == Sides::front) a["front_only"] = true;
@@ -237,6 +240,18 @@ given (0 makes a cone). rounding: the radius of a ball that is added. All >= 0.)
           "The half axes, lengths.");
 }
 
+/// Defines the corners of a shape that is made of them, by these names.
+template <class C>
+void add_corners(py::class_<Of<C>, Shaped>& type, std::initializer_list<const char*> names) {
+  int place = 0;
+  for (const char* name : names) {
+    type.def_property_readonly(
+        name, [place](const Of<C>& shape) { return array_of(shape.concrete().point(place)); },
+        "A corner, in the shape's frame.");
+    ++place;
+  }
+}
+
 void add_flat(py::module_& m) {
   shape_class<Box<double>>(m, "Box", R"(A solid box about the origin, its edges along the axes.
 
@@ -258,17 +273,27 @@ graze.Box(size=(2.0, 2.0, 1.0), rounding=0.1)
       .def(py::init([](double x, double z, double rounding) {
              return Of<Rectangle<double>>(Rectangle<double>(x, z), rounding);
            }),
-           py::arg("size_x"), py::arg("size_z"), py::arg("rounding") = 0.0);
-  shape_class<Triangle<double>>(m, "Triangle", "A triangle; seen from its front the corners run counter-clockwise.")
-      .def(py::init([](const Vector& a, const Vector& b, const Vector& c, double rounding) {
-             return Of<Triangle<double>>(Triangle<double>(a.value, b.value, c.value), rounding);
-           }),
-           py::arg("a"), py::arg("b"), py::arg("c"), py::arg("rounding") = 0.0);
-  shape_class<LineSegment<double>>(m, "Segment", "The straight piece between two points; with a rounding a capsule.")
-      .def(py::init([](const Vector& a, const Vector& b, double rounding) {
-             return Of<LineSegment<double>>(LineSegment<double>(a.value, b.value), rounding);
-           }),
-           py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0);
+           py::arg("size_x"), py::arg("size_z"), py::arg("rounding") = 0.0)
+      .def_property_readonly(
+          "size_x", [](const Of<Rectangle<double>>& r) { return 2 * r.concrete().as_box().half_extents().x; },
+          "The full edge length along x.")
+      .def_property_readonly(
+          "size_z", [](const Of<Rectangle<double>>& r) { return 2 * r.concrete().as_box().half_extents().z; },
+          "The full edge length along z.");
+  auto triangle = shape_class<Triangle<double>>(m, "Triangle",
+                                                "A triangle; seen from its front the corners run counter-clockwise.");
+  triangle.def(py::init([](const Vector& a, const Vector& b, const Vector& c, double rounding) {
+                 return Of<Triangle<double>>(Triangle<double>(a.value, b.value, c.value), rounding);
+               }),
+               py::arg("a"), py::arg("b"), py::arg("c"), py::arg("rounding") = 0.0);
+  add_corners<Triangle<double>>(triangle, {"a", "b", "c"});
+  auto segment = shape_class<LineSegment<double>>(m, "Segment",
+                                                  "The straight piece between two points; with a rounding a capsule.");
+  segment.def(py::init([](const Vector& a, const Vector& b, double rounding) {
+                return Of<LineSegment<double>>(LineSegment<double>(a.value, b.value), rounding);
+              }),
+              py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0);
+  add_corners<LineSegment<double>>(segment, {"a", "b"});
   shape_class<HalfSpace<double>>(m, "HalfSpace",
                                  "All points with y <= 0 in its own frame; a rounding moves its surface up.")
       .def(py::init([](double rounding) { return Of<HalfSpace<double>>(HalfSpace<double>(), rounding); }),
@@ -324,6 +349,9 @@ contacts push out of the front alone. Raises ValueError that names the index or 
           "Whether each edge belongs to two triangles that run through it in opposite directions.")
       .def_property_readonly(
           "solid", [](const Of<Mesh<double>>& m) { return m.concrete().solid(); }, "Whether the inside counts as well.")
+      .def_property_readonly(
+          "front_only", [](const Of<Mesh<double>>& m) { return m.concrete().sides() == Sides::front; },
+          "Whether contacts push out of the front alone.")
       .def(
           "findings", [](const Of<Mesh<double>>& m) { return counts_of(findings(m.concrete())); },
           R"(What the mesh is like: counts of its triangles and edges by name, as a dictionary.
@@ -346,7 +374,19 @@ z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
                  std::vector<double>(heights.data(), heights.data() + heights.size()), spacing_x, spacing_z,
                  front_only ? Sides::front : Sides::both));
            }),
-           py::arg("heights"), py::arg("spacing_x") = 1.0, py::arg("spacing_z") = 1.0, py::arg("front_only") = false);
+           py::arg("heights"), py::arg("spacing_x") = 1.0, py::arg("spacing_z") = 1.0, py::arg("front_only") = false)
+      .def_property_readonly(
+          "heights", [](const Of<HeightField<double>>& f) { return array_of_heights(f.concrete()); },
+          "A copy of the heights, shape (rows, columns); NaN is a hole.")
+      .def_property_readonly(
+          "spacing_x", [](const Of<HeightField<double>>& f) { return f.concrete().spacing_x(); },
+          "Between columns, a length.")
+      .def_property_readonly(
+          "spacing_z", [](const Of<HeightField<double>>& f) { return f.concrete().spacing_z(); },
+          "Between rows, a length.")
+      .def_property_readonly(
+          "front_only", [](const Of<HeightField<double>>& f) { return f.concrete().sides() == Sides::front; },
+          "Whether contacts push out of the front alone.");
   shape_class<Compound<double>>(m, "Compound", "Several shapes as one: `children`, pairs (shape, pose), at least one.")
       .def(py::init([](const std::vector<std::pair<std::reference_wrapper<const Shaped>, Placement>>& children) {
              std::vector<Placed<double>> placed;
@@ -358,6 +398,19 @@ z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
           "children",
           [](const Of<Compound<double>>& c) { return arguments(c.concrete())["children"].cast<py::list>(); },
           "The pairs (shape, pose) it was made of.");
+}
+
+/// `count` shapes. Throws `InvalidValue` that names the place of a refused one below `path`.
+template <class Make>
+std::vector<Shaped> shapes_of(std::size_t count, const std::string& path, const Make& make) {
+  std::vector<Shaped> shapes;
+  shapes.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) try {
+      shapes.emplace_back(make(i));
+    } catch (const InvalidValue& error) {
+      throw error.below(path + "[" + std::to_string(i) + "]");
+    }
+  return shapes;
 }
 
 }  // namespace
@@ -425,7 +478,8 @@ Without turning; the result stands at the same pose. Raises ValueError.
           "boxes",
           [](const py::object& sizes) {
             ShapeArray array;
-            for (const Vec3d& size : points_of(rows(sizes, 3, "sizes"))) array.shapes.emplace_back(Box<double>(size));
+            const std::vector<Vec3d> given = points_of(rows(sizes, 3, "sizes"));
+            array.shapes = shapes_of(given.size(), "sizes", [&](std::size_t i) { return Box<double>(given[i]); });
             return array;
           },
           py::arg("sizes"), "Boxes of the full edge lengths of each row.")
@@ -436,7 +490,8 @@ Without turning; the result stands at the same pose. Raises ValueError.
             const py::object any = py::isinstance<py::array>(radii) ? radii : py::array::ensure(radii);
             if (!any) throw py::type_error("radii: expected an array of numbers");
             const Rows given = rows(any.attr("reshape")(-1, 1), 1, "radii");
-            for (py::ssize_t i = 0; i < given.size(); ++i) array.shapes.emplace_back(Sphere<double>(given.data()[i]));
+            const auto count = static_cast<std::size_t>(given.size());
+            array.shapes = shapes_of(count, "radii", [&](std::size_t i) { return Sphere<double>(given.data()[i]); });
             return array;
           },
           py::arg("radii"))
@@ -445,10 +500,21 @@ Without turning; the result stands at the same pose. Raises ValueError.
            [](const ShapeArray& a) { return "<graze.ShapeArray of " + std::to_string(a.shapes.size()) + " shapes>"; })
       .def("__reduce__",
            [](const py::object& self) { return py::make_tuple(py::type::of(self), py::make_tuple(py::list(self))); })
-      .def("__getitem__", [](const ShapeArray& a, std::size_t i) {
-        if (i >= a.shapes.size())
-          throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(a.shapes.size()) + " shapes");
-        return ShapeObject{object_of(a.shapes[i])};
+      .def("__getitem__",
+           [](const ShapeArray& a, py::ssize_t i) {
+             const auto count = static_cast<py::ssize_t>(a.shapes.size());
+             if (i < -count || i >= count)
+               throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(count) + " shapes");
+             return ShapeObject{object_of(a.shapes[static_cast<std::size_t>(i < 0 ? i + count : i)])};
+           })
+      .def("__getitem__", [](const ShapeArray& a, const py::slice& part) {
+        py::ssize_t first = 0, end = 0, step = 0, count = 0;
+        if (!part.compute(static_cast<py::ssize_t>(a.shapes.size()), &first, &end, &step, &count))
+          throw py::error_already_set();
+        ShapeArray found;
+        for (py::ssize_t i = 0; i < count; ++i)
+          found.shapes.push_back(a.shapes[static_cast<std::size_t>(first + i * step)]);
+        return found;
       });
 }
 

@@ -1,5 +1,6 @@
 // A world of space, and the parts that worlds of space and the plane share: handles of bodies, filters, events.
 #include "shapes.hpp"
+#include "space_batch.hpp"
 #include "whole.hpp"
 #include "world_methods.hpp"
 
@@ -32,6 +33,14 @@ group: of equal groups, positive always collide and negative never; 0 is no grou
       .def_readonly("mask", &Filter::mask, "The bits that it collides with.")
       .def_readonly("group", &Filter::group,
                     "Bodies of one group collide always if it is positive, never if negative; 0 is no group.")
+      .def(
+          "may_collide", [](const Filter& a, const Filter& b) { return may_collide(a, b); }, py::arg("other"),
+          R"(Whether two bodies with these filters may collide.
+
+>>> import graze
+>>> graze.Filter(category=2, mask=1).may_collide(graze.Filter(category=1, mask=4))
+False
+)")
       .def(pickled<Filter>(&Filter::category, &Filter::mask, &Filter::group))
       .def("__repr__", [](const Filter& f) {
         return py::str("graze.Filter(category={}, mask={}, group={})").format(f.category, f.mask, f.group);
@@ -77,7 +86,8 @@ void add_world(py::module_& m) {
       "along_planes",
       [](const Vector& motion, const py::object& normals) {
         const std::vector<Vec3d> away = points_of(rows(normals, 3, "normals"));
-        for (std::size_t i = 0; i < away.size(); ++i) validate::point(away[i], "normals[" + std::to_string(i) + "]");
+        for (std::size_t i = 0; i < away.size(); ++i)
+          unit_vector<SpaceBatch>(away[i], "normals[" + std::to_string(i) + "]");
         return array_of(along_planes<double>(validate::point(motion.value, "motion"), away));
       },
       py::arg("motion"), py::arg("normals"),

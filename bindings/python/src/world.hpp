@@ -47,6 +47,13 @@ class OwnWorld : public WorldView<Words> {
   Alone::Changing<Inner> change() { return {inner_, alone_}; }
   /// The Python objects of the bodies' shapes, to be changed together with the world.
   Shapes& shapes() { return shapes_; }
+  /// Keeps in mind which object decides on pairs. The world within has the only share of it.
+  void note_allow(const py::object& allow) { allow_ = allow.is_none() ? nullptr : allow.ptr(); }
+  PyObject* allow() const { return allow_; }
+  void forget_allow() {
+    allow_ = nullptr;
+    inner_.set_allow(nullptr);
+  }
   void update(double duration) {
     const auto world = change();
     const py::gil_scoped_release free;
@@ -57,7 +64,32 @@ class OwnWorld : public WorldView<Words> {
   Alone alone_;
   Shapes shapes_;
   Inner inner_;
+  PyObject* allow_ = nullptr;
 };
+
+/// Lets Python's garbage collector follow a world to the function that decides on its pairs: a method of the object
+/// that holds the world, as often as not, and the two would keep each other alive for good.
+template <class Own>
+py::custom_type_setup collected() {
+  static constexpr auto own_of = [](PyObject* self) -> Own* {
+    const auto* type = py::detail::get_type_info(typeid(Own));
+    const auto held = reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder(type, false);
+    return held.inst != nullptr && held.holder_constructed() ? held.template value_ptr<Own>() : nullptr;
+  };
+  return py::custom_type_setup([](PyHeapTypeObject* heap_type) {
+    PyTypeObject& type = heap_type->ht_type;
+    type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+    type.tp_traverse = [](PyObject* self, visitproc visit, void* arg) -> int {
+      Py_VISIT(Py_TYPE(self));
+      if (const Own* own = own_of(self)) Py_VISIT(own->allow());
+      return 0;
+    };
+    type.tp_clear = [](PyObject* self) -> int {
+      if (Own* own = own_of(self)) own->forget_allow();
+      return 0;
+    };
+  });
+}
 
 /// A body's place in the arrays of its world. Throws `InvalidValue` for one that is gone.
 template <class World>

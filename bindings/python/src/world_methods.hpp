@@ -43,18 +43,23 @@ class WorldMethods {
     add_shape_questions(view);
     add_ray_questions(view);
     using Own = OwnWorld<Words>;
-    py::class_<Own, View> world(m, "World", world_doc);
+    py::class_<Own, View> world(m, "World", world_doc, collected<Own>());
     world
         .def(py::init([](std::optional<double> margin, const std::optional<Whole>& points_per_pair,
                          const py::object& allow) {
                WorldSettings<double> given = settings(margin, points_per_pair);
                given.allow = decision<BodyId, BodyId>(allow, "allow");
-               return std::make_unique<Own>(given);
+               auto made = std::make_unique<Own>(given);
+               made->note_allow(allow);
+               return made;
              }),
              py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none(), py::arg("allow") = py::none())
         .def(
             "set_allow",
-            [](Own& w, const py::object& allow) { w.change()->set_allow(decision<BodyId, BodyId>(allow, "allow")); },
+            [](Own& w, const py::object& allow) {
+              w.change()->set_allow(decision<BodyId, BodyId>(allow, "allow"));
+              w.note_allow(allow);
+            },
             py::arg("allow"),
             "Replaces the final decision on pairs, a function of two BodyIds, from the next update on; None allows "
             "all.")
@@ -172,22 +177,40 @@ cannot hold: a shape with a support function in Python.)");
 
   template <class Own>
   static void move_all(Own& own, const std::vector<BodyId>& ids, const py::object& poses) {
-    const Rows given = rows(poses, Words::pose_size, "poses");
-    if (static_cast<std::size_t>(given.shape(0)) != ids.size())
-      validate::fail("poses", std::to_string(ids.size()) + " rows, one for each body",
-                     static_cast<double>(given.shape(0)));
-    const auto world = own.change();
     // All poses are read and all handles checked before any body moves: an error has changed nothing.
-    std::vector<typename Space::Pose> read(ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      index_of(asked(*world), ids[i]);
-      try {
-        read[i] = Words::pose_of_row(given.data(static_cast<py::ssize_t>(i), 0));
-      } catch (const InvalidValue& error) {
-        throw error.below("poses[" + std::to_string(i) + "]");
-      }
-    }
+    const std::vector<typename Space::Pose> read = poses_of(poses);
+    if (read.size() != ids.size())
+      validate::fail("poses", std::to_string(ids.size()) + " rows, one for each body",
+                     static_cast<double>(read.size()));
+    const auto world = own.change();
+    for (const BodyId id : ids) index_of(asked(*world), id);
     for (std::size_t i = 0; i < ids.size(); ++i) world->move(ids[i], read[i]);
+  }
+
+  /// Poses from the rows of an array, or from a sequence of poses in any form that one has.
+  static std::vector<typename Space::Pose> poses_of(const py::object& given) {
+    std::vector<typename Space::Pose> poses;
+    const auto add = [&](const auto& read) {
+      try {
+        poses.push_back(read());
+      } catch (const InvalidValue& error) {
+        throw error.below("poses[" + std::to_string(poses.size()) + "]");
+      }
+    };
+    if (py::isinstance<py::array>(given) && py::array(given).ndim() == 2 &&
+        py::array(given).shape(1) == Words::pose_size) {
+      const Rows all = rows(given, Words::pose_size, "poses");
+      for (py::ssize_t i = 0; i < all.shape(0); ++i) add([&] { return Words::pose_of_row(all.data(i, 0)); });
+      return poses;
+    }
+    if (!py::isinstance<py::iterable>(given)) throw py::type_error("poses: expected an array or a sequence of poses");
+    for (const py::handle one : given)
+      add([&] {
+        typename Space::Pose pose;
+        if (!read_pose(one, pose)) throw py::type_error("poses[" + std::to_string(poses.size()) + "]: expected a pose");
+        return pose;
+      });
+    return poses;
   }
 
   static void set_impulses(OwnWorld<Words>& own, const py::object& impulses) {
@@ -255,7 +278,7 @@ pass through. Raises ValueError for a pose or velocity that is not finite.)")
             "Other velocities for a body that stays where it is.")
         .def("move_all", &move_all<Own>, py::arg("bodies"), py::arg("poses"),
              (std::string("Puts many bodies elsewhere: rows of ") + Words::pose_row +
-              ".\n\nAll of them, or none where it raises ValueError.")
+              ", or a sequence of poses in any form.\n\nAll of them, or none where it raises ValueError.")
                  .c_str())
         .def(
             "set_shape",
@@ -302,6 +325,35 @@ ValueError for a duration that is negative or not finite.)");
                                     Words::object_of(world->bodies().angular()[i]));
             },
             py::arg("body"), "(linear velocity of its origin, angular velocity), in world axes.")
+        .def(
+            "filter",
+            [](const View& w, BodyId id) {
+              const auto world = w.read();
+              return world->bodies().filters()[index_of(*world, id)];
+            },
+            py::arg("body"), "What a body is and what it collides with.")
+        .def(
+            "body_at",
+            [](const View& w, const Whole& index) -> std::optional<BodyId> {
+              const auto place = index.as<std::uint32_t>("index");
+              const auto world = w.read();
+              const auto& bodies = world->bodies();
+              if (place >= bodies.size() || bodies.alive()[place] == 0) return std::nullopt;
+              return bodies.id(place);
+            },
+            py::arg("index"), "The BodyId of the body that has an index, as in `touching` and `pairs`, or None.")
+        .def_property_readonly(
+            "poses",
+            [](const View& w) {
+              static_assert(sizeof(typename Space::Pose) == Words::pose_size * sizeof(double));
+              const auto world = w.read();
+              const auto poses = world->bodies().poses();
+              return py::array_t<double>({static_cast<py::ssize_t>(poses.size()), Words::pose_size},
+                                         reinterpret_cast<const double*>(poses.data()));
+            },
+            (std::string("Of all bodies, by index: rows of ") + Words::pose_row + " (a copy).").c_str())
+        .def_property_readonly(
+            "memory", [](const View& w) { return w.read()->memory(); }, "Bytes held, without those of the shapes.")
         .def("__contains__", [](const View& w, BodyId id) { return w.read()->bodies().contains(id); })
         .def("__len__", [](const View& w) { return w.read()->bodies().count(); })
         .def("__repr__", [](const py::object& self) {
