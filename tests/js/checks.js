@@ -331,6 +331,9 @@ export const checks = [
         refuses(() => new library.World({ allow: 3 }), "settings.allow: expected a function, got 3");
         refuses(() => new library.World(0.1), "settings: expected an object with margin, pointsPerPair, allow, capture, got 0.1");
         refuses(() => new library.Compound(null), "compound.children: expected an array, got null");
+        const poses = flat ? [0, 0, 1, 0] : [0, 0, 0, 0, 0, 0, 1];
+        refuses(() => library.overlapBatch({ shapes: box, poses, translations: zero }, { shapes: box, poses }),
+          "a.translations: expected none beside poses, got Array");
         refuses(() => library.overlapBatch({ shape: box }, { shapes: box }), "a: expected shapes, poses, translations, rotations, got shape");
         for (const thing of [world, box]) thing.dispose();
       }
@@ -360,13 +363,46 @@ export const checks = [
         refuses(joint({ type: "ball" }), /^joint: expected a, b, frameA, .*, got type$/);
         refuses(joint({ limits: [{ space: "linear", axes: ["x"], lower: 0 }] }), /^joint.limits\[0\]: .*, got lower$/);
         refuses(joint({ limits: [{ space: "linear", axes: ["w"] }] }), 'joint.limits[0].axes: expected one of x, y, z, got "w"');
-        refuses(joint({ limits: [{ space: "linear" }] }), "joint.limits[0].axes: expected one of x, y, z, got undefined");
+        refuses(joint({ limits: [{ space: "linear" }] }), "joint.limits[0].axes: expected an array, got undefined");
         refuses(joint({ drives: [{ space: "linear", axis: "x", target: 0 }] }), /^joint.drives\[0\]: .*, got target$/);
+        refuses(joint({ limits: [{ axes: ["x"] }] }), "joint.limits[0].space: expected one of linear, angular, got undefined");
+        refuses(joint({ limits: { space: "linear", axes: ["x"] } }), "joint.limits: expected an array, got Object");
+        refuses(joint({ drives: [{ space: "linear" }] }), "joint.drives[0].axis: expected one of x, y, z, got undefined");
         equal(simulation.joints().length, 0, "none was added");
+        refuses(() => library.State.fromBytes(null), "bytes: expected an ArrayBuffer or a view of one, got null");
+        const normal = library === entry ? [1, 0, 0] : [1, 0];
+        const struck = { mass: 1, inertia: library === entry ? [1, 1, 1] : 1 };
+        const pass = (body, blow, options) => () => library.passOn([struck, body], [{ a: 0, b: 1, normal, points: [], ...blow }], options);
+        pass(struck)();
+        refuses(pass({ ...struck, velocity: normal }), /^bodies\[1\]: expected mass, inertia, .*, got velocity$/);
+        refuses(pass(struck, { bounce: 1 }), "blows[0]: expected a, b, normal, points, restitution, got bounce");
+        refuses(pass(struck, { normal: undefined }), "blows[0].normal: expected a value, got undefined");
+        refuses(pass(struck, { points: undefined }), "blows[0].points: expected an array, got undefined");
+        refuses(pass(struck, {}, { limit: 3 }), "options: expected restingSpeed, most, got limit");
+        refuses(() => library.passOn(null, []), "bodies: expected an array, got null");
+        refuses(() => library.freeBody({ ...struck }), /^body: expected .*, got mass$/);
+        refuses(() => library.freeBody({}), "body.inertia: expected a value, got undefined");
+        refuses(() => library.tessellate(box, {}, { detail: 3 }), "options: expected center, size, got detail");
+        refuses(() => library.draw.shape(box, {}, null), "renderer: expected an object with methods that draw, got null");
+        refuses(() => library.draw.shape(box, {}, { layers: "shapes" }), 'renderer.layers: expected an array, got "shapes"');
+        refuses(() => library.draw.shape(box, {}, { line: 3 }), "renderer.line: expected a function, got 3");
+        refuses(() => library.draw.explained({}, { steps: 3 }), "options: expected step, got steps");
         const made = simulation.addJoint({ a, b, limits: [{ space: "linear", axes: ["x", "y"], min: 0 }], drives: [{ space: "angular", axis: "z", damping: 1 }] });
         simulation.addJoint(simulation.joint(made));
         for (const thing of [simulation, box]) thing.dispose();
       }
+  }],
+  ["what a blow does not understand is refused", ({ graze, double }) => {
+    for (const { response, turned, InvalidValue } of [graze, double]) {
+      const body = { mass: 1, inertia: [1, 1, 1] };
+      const contact = { point: [0, 0, 0], normal: [1, 0, 0] };
+      response(contact, body, body);
+      throws(() => response({ ...contact, fricton: 3 }, body, body),
+        "contact: expected point, normal, restitution, friction, got fricton", InvalidValue);
+      throws(() => response({ normal: [1, 0, 0] }, body, body), "contact.point: expected 3 numbers, got undefined", InvalidValue);
+      throws(() => response(contact, { ...body, liner: [1, 0, 0] }, body), /^a: expected mass, .*, got liner$/, InvalidValue);
+      throws(() => turned([0, 0, 0], null, 1), "axis: expected an array, got null", InvalidValue);
+    }
   }],
   ["what is no pose is not taken for the origin", ({ graze, double, queries }) => {
     for (const entry of [graze, double, queries])

@@ -1,6 +1,6 @@
 // Queries of many pairs at a time, over arrays in the module's memory.
 
-import { arrayOf, InvalidValue, membersOf, whole } from "./core.js";
+import { arrayOf, InvalidValue, membersOf, shown, whole } from "./core.js";
 import { castOptions } from "./questions.js";
 
 const bodiesMembers = ["shapes", "poses", "translations", "rotations"];
@@ -78,6 +78,8 @@ export function batches(core, layout, dimension, Rows, Handle) {
   const posesAt = (value, path) => {
     const number = core.numberSize;
     if (value.poses !== undefined) {
+      for (const name of ["translations", "rotations"])
+        if (value[name] !== undefined) throw new InvalidValue(`${path}.${name}: expected none beside poses, got ${shown(value[name])}`);
       const { pointer, count } = numbersOf(value.poses, poseSize, `${path}.poses`);
       return {
         translations: pointer, translationStride: poseSize * number, rotations: pointer + vectorSize * number,

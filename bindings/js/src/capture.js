@@ -1,6 +1,6 @@
 // Captures: written while a world or a simulation is changed, and played again.
 
-import { InvalidValue } from "./core.js";
+import { InvalidValue, shown } from "./core.js";
 
 /** The functions that the module calls with the bytes of each frame, and after each frame that is played. */
 export function captureImports(core) {
@@ -45,6 +45,8 @@ export function created(core, name, settings, capture) {
 
 /** The place of a copy of the caller's bytes in the module's memory, and their number. */
 export function copied(core, bytes) {
+  if (!Number.isInteger(bytes?.byteLength))
+    throw new InvalidValue(`bytes: expected an ArrayBuffer or a view of one, got ${shown(bytes)}`);
   const from = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
   const place = core.room(Math.max(1, from.length));
   new Uint8Array(core.memory().buffer).set(from, place);

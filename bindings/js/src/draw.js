@@ -1,6 +1,6 @@
 // Debug draw: the library's objects and answers, drawn by a renderer of the caller's.
 
-import { InvalidValue, shown } from "./core.js";
+import { arrayOf, callback, InvalidValue, membersOf, shown } from "./core.js";
 import { named } from "./layout.js";
 
 const layers = ["shapes", "bounds", "tree", "contacts", "distances", "rays", "casts", "trace", "joints"];
@@ -8,6 +8,7 @@ const meanings = [
   "a", "b", "fixed", "touched", "moving", "touching", "asleep", "trigger", "contact", "normal", "gap", "ruledOut",
   "bounds", "path", "ghost", "joint"];
 const methods = ["point", "line", "triangle"];
+const stepMembers = ["step"];
 
 /** The functions that the module calls while it draws. */
 export function drawImports(core) {
@@ -26,10 +27,17 @@ export function drawImports(core) {
 
 /** The renderer in the form of the C interface, for as long as `body` takes. */
 function drawnOn(core, layout, renderer, body) {
+  if (renderer === null || (typeof renderer !== "object" && typeof renderer !== "function"))
+    throw new InvalidValue(`renderer: expected an object with methods that draw, got ${shown(renderer)}`);
+  for (const name of [...methods, "arrow", "text"]) callback(renderer[name], `renderer.${name}`);
   const on = core.room(layout.debugDraw.size);
   core.exports.graze_debug_draw_default(on);
   const { center, size } = renderer;
-  const wanted = renderer.layers?.reduce((bits, name) => bits | (1 << named(layers, name, "renderer.layers")), 0);
+  const wanted =
+    renderer.layers === undefined
+      ? undefined
+      : Array.from(arrayOf(renderer.layers, "renderer.layers")).reduce(
+          (bits, name) => bits | (1 << named(layers, name, "renderer.layers")), 0);
   layout.debugDraw.write(on, { layers: wanted, center, size }, "renderer");
   const key = core.keep(renderer);
   core.exports.graze_js_debug_draw(on, key, typeof renderer.arrow === "function" ? 1 : 0);
@@ -99,23 +107,28 @@ export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
       draw("contacts", renderer, written(types.vector, normal, "normal"), first, points.length);
     },
     ray: (ray, hit, renderer) => draw("ray", renderer, ask.ray(ray), ask.length(ray), hitAt(types.rayHit, hit)),
-    cast: (moving, hit, renderer, { duration = 1 } = {}) =>
-      draw("cast", renderer, ask.moving(moving, "moving"), duration, hitAt(types.castHit, hit)),
+    cast(moving, hit, renderer, options) {
+      const { duration = 1 } = membersOf(options, "options", ["duration"]);
+      draw("cast", renderer, ask.moving(moving, "moving"), duration, hitAt(types.castHit, hit));
+    },
     shape(shape, at, renderer, meaning = "a") {
       const means = named(meanings, meaning, "meaning");
       drawn(renderer, (on) => core.call(`${prefix}shape_draw`, of(shape), pose(at, "pose"), means, on));
     },
-    trace(trace, renderer, { step } = {}) {
+    trace(trace, renderer, options) {
+      const { step } = membersOf(options, "options", stepMembers);
       const { graze_trace_view_draw: whole, graze_trace_view_step_draw: one } = core.exports;
       const view = viewOf(core, layout, trace);
       drawn(renderer, (on) => core.check(step === undefined ? whole(view, on) : one(view, step, on)));
     },
-    explained: (renderer, { step } = {}) =>
-      ask.explaining((answer, trace) => {
+    explained(renderer, options) {
+      const { step } = membersOf(options, "options", stepMembers);
+      return ask.explaining((answer, trace) => {
         const { graze_trace_draw: whole, graze_trace_step_draw: one } = core.exports;
         drawn(renderer, (on) => core.check(step === undefined ? whole(trace, on) : one(trace, step, on)));
         return answer;
-      }),
+      });
+    },
   };
 }
 
@@ -123,7 +136,8 @@ export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
 export function tessellations(core, layout, { prefix, types, args, of, pose, ask }) {
   const origin = new Array(types.vector.size / core.numberSize).fill(0);
   return {
-    tessellate(shape, at, { center = origin, size = 1 } = {}) {
+    tessellate(shape, at, options) {
+      const { center = origin, size = 1 } = membersOf(options, "options", ["center", "size"]);
       const about = args.written(types.vector, center, "center");
       const { points, pointCount, corners, ends, loopCount, smooth, closed } = args.answered(layout.polygons, (p) =>
         core.call(`${prefix}shape_tessellate`, of(shape), pose(at, "pose"), about, size, ask.room(), p));

@@ -1,9 +1,15 @@
 // Blows that are passed on and free motion, in space and in the plane.
 
-import { whole } from "./core.js";
+import { arrayOf, InvalidValue, membersOf, shown, whole } from "./core.js";
+
+/** The members of a body that a blow meets, and those of a blow. */
+export const struckMembers = ["mass", "inertia", "shape", "translation", "rotation", "linear", "angular"];
+const blowMembers = ["a", "b", "normal", "points", "restitution"];
+const freeMembers = ["inertia", "linear", "angular"];
 
 /** A body as a blow meets it, in the module's memory; `inverseMass` has the parts that differ between dimensions. */
-const bodyWriter = (types, { inverseMass }) => (p, body, path) => {
+const bodyWriter = (types, { inverseMass }) => (p, given, path) => {
+  const body = membersOf(given, path, struckMembers);
   const { linear, angular, translation } = body;
   const motion = { linear, angular, center: translation };
   types.struckBody.write(p, { motion, mass: inverseMass(body, path) }, path);
@@ -27,11 +33,16 @@ export function passing(core, layout, dimension) {
       const push = written(types.vector, impulse, "impulse");
       return answered(types.motion, (p) => ask.call("apply_impulse", at, push, written(types.vector, point, "point"), p));
     },
-    passOn(bodies, blows, { restingSpeed = 0, most = 1000 } = {}) {
+    passOn(bodies, blows, options) {
+      const { restingSpeed = 0, most = 1000 } = membersOf(options, "options", ["restingSpeed", "most"]);
+      arrayOf(bodies, "bodies");
       const points = [];
-      const all = blows.map(({ points: own, ...blow }) => {
+      const all = Array.from(arrayOf(blows, "blows"), (given, i) => {
+        const { points: own, ...blow } = membersOf(given, `blows[${i}]`, blowMembers);
+        for (const name of ["a", "b", "normal"])
+          if (blow[name] === undefined) throw new InvalidValue(`blows[${i}].${name}: expected a value, got undefined`);
         const firstPoint = points.length;
-        points.push(...own);
+        points.push(...arrayOf(own, `blows[${i}].points`));
         return { restitution: 0, ...blow, firstPoint, pointCount: own.length };
       });
       const writeAs = (type) => (p, value, path) => type.write(p, value, path);
@@ -60,7 +71,10 @@ export function freeMotion(core, layout, dimension) {
   /** A turning as an argument: vectors are passed by pointer, numbers as they are. */
   const turning = (value) => (types.turning === layout.num ? value : written(types.turning, value, "angular"));
   return {
-    freeBody({ inertia, linear, angular, ...place }) {
+    freeBody(given) {
+      const names = ["translation", "rotation", ...freeMembers];
+      const { inertia, linear, angular, ...place } = membersOf(given, "body", names);
+      if (inertia === undefined) throw new InvalidValue(`body.inertia: expected a value, got ${shown(inertia)}`);
       const { translation, rotation } = types.pose.read(pose(place, "body"));
       const p = at({ center: translation, rotation, linear, inverseInertia: inverseInertiaOf(inertia) });
       ask.call("free_set_angular_velocity", p, turning(turnOf(angular)));

@@ -179,7 +179,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
         const question = [vec2(motion, "motion"), ...outline(normals, "normals")];
         return answered(layout.vec2, (p) => ask.call("along_lines", ...question, p));
       },
-      poseAt(body, t) {
+      poseAt(body = {}, t) {
         const { linear, angular } = body;
         const velocity = written(types.velocity, { linear, angular }, "velocity");
         return angle(answered(types.pose, (p) => ask.call("pose_at", pose(body, "pose", movingMembers), velocity, t, p)));

@@ -185,7 +185,7 @@ export function spaceQuestions(core, layout, args, shapes) {
       const { pointer, count } = rows(normals, 3, "normals");
       return answered(layout.vec3, (p) => call("along_planes", vec3(motion, "motion"), pointer, 0, count, p));
     },
-    poseAt(body, t) {
+    poseAt(body = {}, t) {
       const { linear, angular } = body;
       const velocity = written(layout.velocity, { linear, angular }, "velocity");
       return answered(layout.pose, (p) => call("pose_at", pose(body, "pose", movingMembers), velocity, t, p));

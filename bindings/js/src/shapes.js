@@ -284,7 +284,7 @@ export function shapeClasses(core, layout, args, Handle) {
 
   const turned = (translation, axis, angle) => {
     finite(angle, "angle");
-    const length = Math.hypot(...axis);
+    const length = Math.hypot(...Array.from(arrayOf(axis, "axis")));
     if (!(length > 0 && length < Infinity))
       throw new InvalidValue(`axis: expected a finite vector that is not zero, got [${Array.from(axis).join(", ")}]`);
     return core.frame(() => {

@@ -1,11 +1,12 @@
 // Bodies that fall, collide, rest and are tied together; and the response to one blow.
 
 import { bytesWritten, copied, created } from "./capture.js";
-import { callback, InvalidValue, membersOf, shown } from "./core.js";
+import { arrayOf, callback, InvalidValue, membersOf, shown } from "./core.js";
 import { named } from "./layout.js";
-import { freeMotion, passing } from "./motion.js";
+import { freeMotion, passing, struckMembers } from "./motion.js";
 
 const axes = ["x", "y", "z"];
+const spaces = ["linear", "angular"];
 const jointKinds = ["fixed", "ball", "hinge", "slider"];
 const jointMembers = ["a", "b", "frameA", "frameB", "kind", "limits", "drives", "enableCollision"];
 /** The members of a struct that say whether others are there, which the caller does not write. */
@@ -48,14 +49,18 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     const path = `joint.limits[${i}]`;
     const { space, axes: held, min = -Infinity, max = Infinity, stiffness = 0, damping = 0 } =
       membersOf(given, path, Object.keys(layout.jointLimit.members));
-    for (const axis of Array.isArray(held) ? held : [held]) named(axes, axis, `${path}.axes`);
+    named(spaces, space, `${path}.space`);
+    for (const axis of arrayOf(held, `${path}.axes`)) named(axes, axis, `${path}.axes`);
     return { space, axes: axes.map((axis) => held.includes(axis)), min, max, stiffness, damping };
   };
   const shownLimit = ({ axes: held, ...bounds }) => ({ ...bounds, axes: axes.filter((_, i) => held[i]) });
   const drive = (given, i) => {
+    const path = `joint.drives[${i}]`;
     const {
       space, axis, mode = "force", positionTarget = 0, velocityTarget = 0, stiffness = 0, damping = 0,
-      maxForce = Infinity } = membersOf(given, `joint.drives[${i}]`, Object.keys(layout.jointDrive.members));
+      maxForce = Infinity } = membersOf(given, path, Object.keys(layout.jointDrive.members));
+    named(spaces, space, `${path}.space`);
+    named(axes, axis, `${path}.axis`);
     return { space, axis, mode, positionTarget, velocityTarget, stiffness, damping, maxForce };
   };
   const jointAt = (given) => {
@@ -66,7 +71,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     types.joint.write(p, { a: value.a, b: value.b }, "joint");
     core.copy(frameA, p + types.joint.offset.frameA, types.pose.size);
     core.copy(frameB, p + types.joint.offset.frameB, types.pose.size);
-    const own = (value.limits ?? []).map(limit);
+    const own = Array.from(arrayOf(value.limits ?? [], "joint.limits"), limit);
     const size = layout.jointLimit.size;
     let count = 0;
     let first = 0;
@@ -80,7 +85,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     const all = core.room(Math.max(1, count + own.length) * size);
     core.copy(first, all, count * size);
     own.forEach((bound, i) => layout.jointLimit.write(all + (count + i) * size, bound, `joint.limits[${i}]`));
-    const drives = (value.drives ?? []).map(drive);
+    const drives = Array.from(arrayOf(value.drives ?? [], "joint.drives"), drive);
     types.joint.write(p, {
       limits: all, limitCount: count + own.length, drives: several(layout.jointDrive, drives, "joint.drives"),
       driveCount: drives.length, enableCollision: value.enableCollision ?? false });
@@ -245,7 +250,8 @@ export function blows(core, layout, dimension, shapes) {
     else throw new InvalidValue(`${path}.inertia: expected three numbers, or a shape, got ${shown(body.inertia)}`);
     return layout.inverseMass.read(p);
   };
-  const bodyAt = (body, path) => {
+  const bodyAt = (given, path) => {
+    const body = membersOf(given, path, struckMembers);
     const { linear, angular, translation } = body;
     const motion = { linear, angular, center: translation };
     return written(layout.struckBody, { motion, mass: inverseMass(body, path) }, path);
@@ -254,7 +260,10 @@ export function blows(core, layout, dimension, shapes) {
     ...dimension, inverseMass, turnOf: (turn) => turn ?? [0, 0, 0], inverseInertiaOf: (inertia) => Array.from(inertia, (i) => 1 / i) };
   return ask.framed({
     response(contact, a, b) {
-      const { point, normal, restitution = 0, friction = 0.6 } = contact;
+      const { point, normal, restitution = 0, friction = 0.6 } =
+        membersOf(contact, "contact", ["point", "normal", "restitution", "friction"]);
+      for (const [name, part] of Object.entries({ point, normal }))
+        if (part === undefined) throw new InvalidValue(`contact.${name}: expected 3 numbers, got ${shown(part)}`);
       const at = written(layout.struckContact, { point, normal, restitution, friction }, "contact");
       return answered(layout.response, (p) => core.call("response", at, bodyAt(a, "a"), bodyAt(b, "b"), p));
     },
