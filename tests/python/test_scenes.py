@@ -1,5 +1,7 @@
 """Scenes from files, of space and of the plane."""
 
+import json
+import os
 import pathlib
 import pickle
 
@@ -60,3 +62,74 @@ def test_space_and_plane_point_to_each_other():
     assert repr(scene).startswith("<graze.Scene 'demo.gltf'") and f"{len(scene.bodies)} bodies" in repr(scene)
     with pytest.raises(TypeError):
         pickle.dumps(scene)
+
+
+def test_a_file_whose_name_is_no_text_is_named_in_the_error():
+    for load in (graze.load, graze.plane.load):
+        with pytest.raises(ValueError, match=r"^no-scene-\\xff"):
+            load(os.fsdecode(b"no-scene-\xff." + (b"obj" if load is graze.load else b"svg")))
+
+
+def test_a_scene_of_a_file_whose_name_is_no_text_has_that_name(tmp_path):
+    file = os.path.join(os.fsencode(tmp_path), b"three \xc3\xa9 \xff.obj")
+    with open(file, "w") as out:
+        out.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    scene = graze.load(os.fsdecode(file))
+    [collider], [(name, _, _)] = scene.colliders, scene.bodies
+    assert scene.source == os.fsdecode(b"three \xc3\xa9 \xff.obj")
+    assert collider.name == name == os.fsdecode(b"three \xc3\xa9 \xff")
+    assert repr(scene).startswith(r"<graze.Scene 'three é \udcff.obj': 1 bodies")
+    assert repr(collider) == r"<graze.Collider 'three é \udcff'>"
+
+
+def test_a_scene_tells_what_moves_and_what_joins():
+    folder = SCENES / "conformance"
+    for file in sorted(folder.glob("joint-*.gltf")) + [folder / "sample-motion-properties.gltf"]:
+        scene, physics = graze.load(file), json.loads(file.read_text())
+        described = physics.get("extensions", {}).get("KHR_physics_rigid_bodies", {})
+        wanted = {
+            node["name"]: node["extensions"]["KHR_physics_rigid_bodies"]["motion"]
+            for node in physics["nodes"]
+            if "motion" in node.get("extensions", {}).get("KHR_physics_rigid_bodies", {})
+        }
+        assert len(scene.motions) == len(scene.bodies)
+        seen = 0
+        for (name, kind, _), motion in zip(scene.bodies, scene.motions):
+            assert (motion is None) == (kind == "static")
+            if motion is None:
+                continue
+            seen += 1
+            said = wanted[name]
+            assert motion["kinematic"] == said.get("isKinematic", False)
+            assert motion["mass"] == (said["mass"] or np.inf if "mass" in said else None)
+            assert motion["gravity_factor"] == said.get("gravityFactor", 1)
+            assert np.allclose(np.linalg.norm(motion["linear_velocity"]), np.linalg.norm(said.get("linearVelocity", [0])))
+        assert seen == len(wanted)
+        for joint in scene.joints:
+            assert joint["a"] is None or 0 <= joint["a"] < len(scene.bodies)
+            texts = [repr(limit) for limit in joint["limits"]] + [repr(drive) for drive in joint["drives"]]
+            assert all(text.startswith("graze.Joint") for text in texts)
+        of_file = described.get("physicsJoints", [])
+        assert sorted(len(j["limits"]) for j in scene.joints if len(of_file) == len(scene.joints)) == sorted(
+            len(j.get("limits", [])) for j in of_file if len(of_file) == len(scene.joints)
+        )
+
+
+def test_a_scene_is_simulated_by_what_it_tells():
+    scene = graze.load(SCENES / "conformance" / "joint-10-linear-drive.gltf")
+    simulation, ids = graze.Simulation(), {}
+    for collider in scene.colliders:
+        motion = scene.motions[collider.body]
+        assert collider.body not in ids, "one collider a body"
+        more = {} if motion is None else {"mass": motion["mass"], "gravity_factor": motion["gravity_factor"]}
+        ids[collider.body] = simulation.add(
+            collider.shape, collider.pose, fixed=motion is None, filter=collider.filter,
+            material=collider.material or graze.Material(), **more)  # fmt: skip
+    assert scene.joints and all(joint["drives"] for joint in scene.joints)
+    for joint in scene.joints:
+        arguments = {key: value for key, value in joint.items() if key != "name"}
+        simulation.join(**{**arguments, "a": ids[joint["a"]], "b": ids[joint["b"]]})
+    before = simulation.poses.copy()
+    for _ in range(60):
+        simulation.step(1 / 60)
+    assert np.isfinite(simulation.poses).all() and not np.array_equal(simulation.poses, before)

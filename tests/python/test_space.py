@@ -175,7 +175,7 @@ def test_pickle_and_repr(name):
         (lambda: graze.Sphere(-1), "radius"),
         (lambda: graze.Box((1, float("nan"), 1)), r"size\[1\]"),
         (lambda: graze.Pose((0, 0, 0), (0, 0, 0, 0)), "quaternion"),
-        (lambda: graze.Mesh(CUBE, [(0, 1, 8)]), r"triangles\[0\]"),
+        (lambda: graze.Mesh(CUBE, [(0, 1, 8)]), r"faces\[0\]"),
         (lambda: graze.overlap(graze.Sphere(1), (float("inf"), 0, 0), graze.Sphere(1), None), "translation"),
         (lambda: graze.contacts(graze.Sphere(1), None, graze.Sphere(1), None, margin=-1), "margin"),
         (lambda: SHAPES["mesh"].swept(None, (1, 0, 0)), "shape: expected a bounded convex shape"),

@@ -194,7 +194,7 @@ def test_an_empty_list_is_an_array_of_no_rows():
     assert plane.along_lines((1, 2), []).tolist() == [1, 2]
     with pytest.raises(ValueError, match="points: expected"):
         graze.ConvexHull([])
-    with pytest.raises(ValueError, match="triangles: expected at least one triangle"):
+    with pytest.raises(ValueError, match="faces: expected at least one triangle"):
         graze.Mesh([], [])
 
 
@@ -258,3 +258,51 @@ def test_shapes_tell_what_they_were_made_of():
     assert np.array_equal(field.heights, heights, equal_nan=True)
     assert (field.spacing_x, field.spacing_z, field.front_only) == (0.5, 2, True)
     assert not graze.Mesh(corners, [(0, 1, 2)]).front_only
+
+
+def test_errors_of_shapes_have_the_names_of_their_arguments():
+    nan = float("nan")
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+    for make, name in [
+        (lambda: graze.Capsule(1, -1), "radius:"),
+        (lambda: graze.Cylinder(1, 1, -1), "radius_top:"),
+        (lambda: graze.Capsule(-1, 1), "height:"),
+        (lambda: plane.Capsule(1, -1), "radius:"),
+        (lambda: plane.Capsule(1, 1, -1), "radius_top:"),
+        (lambda: graze.Rectangle(1, -1), "size_z:"),
+        (lambda: graze.Segment((0, 0, 0), (0, nan, 0)), r"b\[1\]:"),
+        (lambda: plane.Segment((nan, 0), (1, 0)), r"a\[0\]:"),
+        (lambda: graze.Triangle((0, 0, 0), (1, 0, 0), (0, 0, nan)), r"c\[2\]:"),
+        (lambda: graze.Mesh(corners, [(0, 1, 3)]), r"faces\[0\]\[2\]: expected an index below 3, got 3"),
+        (lambda: graze.Mesh(corners, []), "faces: expected at least one triangle"),
+        (lambda: graze.Mesh([(nan, 0, 0), *corners], [(0, 1, 2)]), r"vertices\[0\]\[0\]:"),
+        (lambda: graze.HeightField(np.zeros((2, 2)), 1, -1), "spacing_z:"),
+    ]:
+        with pytest.raises(ValueError, match="^" + name):
+            make()
+
+
+@pytest.mark.parametrize("of, size", [(graze, 3), (plane, 2)])
+def test_a_pose_moves_many_points(of, size):
+    rng = np.random.default_rng(5)
+    points = rng.normal(size=(20, size))
+    pose = of.Pose(rng.normal(size=size), rng.normal(size=4) if size == 3 else 0.7)
+    for given in (points, np.asfortranarray(points), np.vstack([points, points])[::2], points.astype(">f8")):
+        assert np.array_equal(pose @ given, [pose @ point for point in given])
+    assert (pose @ np.zeros((0, size))).shape == (0, size)
+    with pytest.raises(ValueError, match=rf"points: expected an array of shape \(n, {size}\), got shape \(4, 5\)"):
+        pose @ np.ones((4, 5))
+    with pytest.raises(TypeError):
+        pose @ "abc"
+
+
+def test_a_matrix_of_a_pose_is_one():
+    matrix = graze.Pose((1, 2, 3), (0, 0, 0.6, 0.8)).matrix
+    assert np.array_equal(graze.Pose.from_matrix(matrix.tolist()).translation, (1, 2, 3))
+    for wrong in (np.ones(3), np.ones(7), np.eye(3), np.eye(4)[:3], [1, 2, 3]):
+        with pytest.raises(ValueError, match="matrix: expected an array of shape"):
+            graze.Pose.from_matrix(wrong)
+    with pytest.raises(TypeError, match="matrix: expected real numbers, got complex ones"):
+        graze.Pose.from_matrix(matrix + 0j)
+    with pytest.raises(TypeError, match="matrix: expected an array without a mask"):
+        graze.Pose.from_matrix(np.ma.masked_array(matrix, mask=True))

@@ -158,6 +158,14 @@ array([1., 3.])
           "__matmul__", [](const Pose2d& p, const Vector2& v) { return array_of(transform(p, v.value)); },
           py::is_operator())
       .def(
+          "__matmul__",
+          [](const Pose2d& p, const py::array& points) {
+            std::vector<Vec2d> moved = points_of_plane(points, "points");
+            for (Vec2d& point : moved) point = transform(p, point);
+            return array_of_points(moved);
+          },
+          py::is_operator())
+      .def(
           "__eq__", [](const Pose2d& p, const Pose2d& q) { return p == q; }, py::is_operator())
       .def("__hash__",
            [](const Pose2d& p) {

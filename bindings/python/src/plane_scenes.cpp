@@ -13,7 +13,8 @@ void add_plane_scenes(py::module_& m) {
   using Collider = io::PlaneCollider;
   using Scene = io::PlaneScene;
   py::class_<Collider>(m, "Collider", "One shape of a body of a scene, at its pose in the world.")
-      .def_readonly("name", &Collider::name, "Its name in the file; may be empty.")
+      .def_property_readonly(
+          "name", [](const Collider& c) { return file_text(c.name); }, "Its name in the file; may be empty.")
       .def_readonly("body", &Collider::body, "The index of its body.")
       .def_readonly("pose", &Collider::pose, "In the world.")
       .def_readonly("filter", &Collider::filter, "The category and mask of the file's collision systems.")
@@ -22,14 +23,15 @@ void add_plane_scenes(py::module_& m) {
           "shape", [](const Collider& c) { return ShapeObject{object_of(c.shape)}; }, "The shape, in its own frame.")
       .def("__repr__", [](const Collider& c) { return "<graze.plane.Collider " + quoted(c.name) + ">"; });
   py::class_<Scene>(m, "Scene", "What a file holds. Not pickled: load the file again.")
-      .def_readonly("source", &Scene::source, "The name of the file.")
+      .def_property_readonly(
+          "source", [](const Scene& s) { return file_text(s.source); }, "The name of the file.")
       .def_readonly("colliders", &Scene::colliders, "All shapes in place, a list of Collider in the file's order.")
       .def_readonly("notices", &Scene::notices, "What was skipped, a sentence each.")
       .def_property_readonly(
           "bodies",
           [](const Scene& scene) {
             py::list out;
-            for (const auto& body : scene.bodies) out.append(py::make_tuple(body.name, text_of(body.type)));
+            for (const auto& body : scene.bodies) out.append(py::make_tuple(file_text(body.name), text_of(body.type)));
             return out;
           },
           "(name, 'static', 'dynamic' or 'kinematic') of each.")

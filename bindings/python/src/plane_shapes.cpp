@@ -5,6 +5,7 @@
 #include "graze/plane/mass.hpp"
 #include "plane_convert.hpp"
 #include "raised.hpp"
+#include "renamed.hpp"
 #include "shapes.hpp"
 
 namespace graze::python {
@@ -190,7 +191,8 @@ void add_round(py::module_& m) {
 height: between the centres of the discs. radius: of the lower, and of the upper one too
 unless `radius_top` is given. All >= 0.)")
       .def(py::init([](double height, double radius, std::optional<double> top, double rounding) {
-             return Of<Capsule>(Capsule(height, radius, top.value_or(radius)), rounding);
+             return renamed(tapered_names,
+                            [&] { return Of<Capsule>(Capsule(height, radius, top.value_or(radius)), rounding); });
            }),
            py::arg("height"), py::arg("radius"), py::arg("radius_top") = py::none(), py::arg("rounding") = 0.0)
       .def_property_readonly(
@@ -223,7 +225,7 @@ graze.plane.Box(size=(2.0, 1.0), rounding=0.1)
           "The full edge lengths.");
   shape_class<Of<Segment>>(m, "Segment", "The straight piece between two points; with a rounding a capsule.")
       .def(py::init([](const Vector2& a, const Vector2& b, double rounding) {
-             return Of<Segment>(Segment(a.value, b.value), rounding);
+             return renamed(corner_names, [&] { return Of<Segment>(Segment(a.value, b.value), rounding); });
            }),
            py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0)
       .def_property_readonly(

@@ -27,9 +27,13 @@ Wherever a pose is asked for, these do as well: a pair (translation, rotation), 
 seven numbers, a 4x4 matrix without scale, three numbers (a translation alone), None (the origin).
 Raises ValueError for numbers that are not finite or too large, and for a matrix that is no pose.
 
->>> import graze
+>>> import graze, numpy as np
 >>> graze.Pose((1, 2, 3)) @ (0, 0, 1)
 array([1., 2., 4.])
+>>> graze.Pose((1, 2, 3)) @ np.eye(3)               # an array of points
+array([[2., 2., 3.],
+       [1., 3., 3.],
+       [1., 2., 4.]])
 >>> graze.Pose((1, 2, 3)).inverse()
 graze.Pose(translation=(-1.0, -2.0, -3.0), rotation=(-0.0, -0.0, -0.0, 1.0))
 )")
@@ -42,9 +46,11 @@ graze.Pose(translation=(-1.0, -2.0, -3.0), rotation=(-0.0, -0.0, -0.0, 1.0))
            py::arg("translation") = Vector{}, py::arg("rotation") = py::make_tuple(0.0, 0.0, 0.0, 1.0))
       .def_static(
           "from_matrix",
-          [](const Rows& matrix) {
+          [](const py::object& matrix) {
+            const Rows numbers = rows(matrix, 4, "matrix");
             Posed pose;
-            if (!read_pose(matrix, pose)) throw py::type_error("matrix: expected an array of shape (4, 4)");
+            if (numbers.shape(0) != 4 || !read_pose(numbers, pose))
+              validate::fail("matrix", "an array of shape (4, 4)", "another shape");
             return pose;
           },
           py::arg("matrix"), "The pose of a 4x4 matrix without scale, shear or mirroring.")
@@ -65,6 +71,14 @@ graze.Pose(translation=(-1.0, -2.0, -3.0), rotation=(-0.0, -0.0, -0.0, 1.0))
           "__matmul__", [](const Posed& p, const Posed& q) { return compose(p, q); }, py::is_operator())
       .def(
           "__matmul__", [](const Posed& p, const Vector& v) { return array_of(transform(p, v.value)); },
+          py::is_operator())
+      .def(
+          "__matmul__",
+          [](const Posed& p, const py::array& points) {
+            std::vector<Vec3d> moved = points_of(rows(points, 3, "points"));
+            for (Vec3d& point : moved) point = transform(p, point);
+            return array_of_points(moved);
+          },
           py::is_operator())
       .def(
           "__eq__", [](const Posed& p, const Posed& q) { return p == q; }, py::is_operator())

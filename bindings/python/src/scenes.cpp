@@ -1,6 +1,6 @@
 // Scenes from files, and the query protocol.
 #include "answers.hpp"
-#include "scene_text.hpp"
+#include "scene_physics.hpp"
 #include "shapes.hpp"
 
 #include "graze/io/collide.hpp"
@@ -33,26 +33,54 @@ io::LoadOptions load_options(const std::string& colliders) {
 
 void add_scenes(py::module_& m) {
   py::class_<io::Collider>(m, "Collider", "One shape of a body of a scene, at its pose in the world.")
-      .def_readonly("name", &io::Collider::name, "Its name in the file; may be empty.")
+      .def_property_readonly(
+          "name", [](const io::Collider& c) { return file_text(c.name); }, "Its name in the file; may be empty.")
       .def_readonly("body", &io::Collider::body, "The index of its body.")
       .def_readonly("pose", &io::Collider::pose, "In the world.")
       .def_readonly("filter", &io::Collider::filter, "The category and mask of the file's collision filters.")
       .def_readonly("trigger", &io::Collider::trigger, "Whether it only reports overlaps.")
+      .def_property_readonly(
+          "material", [](const io::Collider& c) { return py::cast(c.material); },
+          "The Material of its surface, or None where the file has none.")
       .def_property_readonly(
           "shape", [](const io::Collider& c) { return ShapeObject{object_of(c.shape)}; },
           "The shape, in its own frame.")
       .def("__repr__", [](const io::Collider& c) { return "<graze.Collider " + quoted(c.name) + ">"; });
   py::class_<io::Scene>(m, "Scene", "What a file holds. Not pickled: load the file again.")
       .def("__repr__", [](const io::Scene& scene) { return scene_text("graze.Scene", scene); })
-      .def_readonly("source", &io::Scene::source, "The name of the file.")
+      .def_property_readonly(
+          "source", [](const io::Scene& s) { return file_text(s.source); }, "The name of the file.")
       .def_readonly("colliders", &io::Scene::colliders, "All shapes in place, a list of Collider in the file's order.")
       .def_readonly("notices", &io::Scene::notices, "What was skipped or approximated, a sentence each.")
+      .def_readonly("collision_systems", &io::Scene::collision_systems, "The names behind the bits of filters.")
+      .def_property_readonly(
+          "motions",
+          [](const io::Scene& scene) {
+            py::list out;
+            for (const auto& body : scene.bodies) out.append(object_of(body.motion));
+            return out;
+          },
+          R"(What the file says of the motion of each body: a dictionary, or None for one that is fixed.
+
+kinematic, mass (infinite where it does not move), center_of_mass, inertia (moments, quaternion) and
+gravity_factor are arguments of `Simulation.add`, None where the file leaves them to the shape;
+linear_velocity is that of the centre of mass and angular_velocity in radians, in world axes.)")
+      .def_property_readonly(
+          "joints",
+          [](const io::Scene& scene) {
+            py::list out;
+            for (const auto& joint : scene.joints) out.append(object_of(joint));
+            return out;
+          },
+          R"(The joints: a dictionary each of the arguments of `Simulation.join`, and its name.
+
+a, b: indices of `bodies`, None for the world, where the frame is in the world at rest.)")
       .def_property_readonly(
           "bodies",
           [](const io::Scene& scene) {
             py::list out;
             for (const auto& body : scene.bodies) {
-              out.append(py::make_tuple(body.name, text_of(body.type), body.pose));
+              out.append(py::make_tuple(file_text(body.name), text_of(body.type), body.pose));
             }
             return out;
           },

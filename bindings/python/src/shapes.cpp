@@ -5,6 +5,7 @@
 
 #include "bounded_convex.hpp"
 #include "raised.hpp"
+#include "renamed.hpp"
 
 namespace graze::python {
 
@@ -198,7 +199,8 @@ template <class C>
 py::class_<Of<C>, Shaped> tapered_class(py::module_& m, const char* name, const char* doc) {
   auto type = shape_class<C>(m, name, doc);
   type.def(py::init([](double height, double radius, std::optional<double> radius_top, double rounding) {
-             return Of<C>(C(height, radius, radius_top.value_or(radius)), rounding);
+             return renamed(tapered_names,
+                            [&] { return Of<C>(C(height, radius, radius_top.value_or(radius)), rounding); });
            }),
            py::arg("height"), py::arg("radius"), py::arg("radius_top") = py::none(), py::arg("rounding") = 0.0)
       .def_property_readonly(
@@ -271,7 +273,8 @@ graze.Box(size=(2.0, 2.0, 1.0), rounding=0.1)
   shape_class<Rectangle<double>>(m, "Rectangle",
                                  "A rectangle about the origin in the plane y = 0; full edge lengths >= 0.")
       .def(py::init([](double x, double z, double rounding) {
-             return Of<Rectangle<double>>(Rectangle<double>(x, z), rounding);
+             return renamed({{"sizeX", "size_x"}, {"sizeZ", "size_z"}},
+                            [&] { return Of<Rectangle<double>>(Rectangle<double>(x, z), rounding); });
            }),
            py::arg("size_x"), py::arg("size_z"), py::arg("rounding") = 0.0)
       .def_property_readonly(
@@ -283,14 +286,18 @@ graze.Box(size=(2.0, 2.0, 1.0), rounding=0.1)
   auto triangle = shape_class<Triangle<double>>(m, "Triangle",
                                                 "A triangle; seen from its front the corners run counter-clockwise.");
   triangle.def(py::init([](const Vector& a, const Vector& b, const Vector& c, double rounding) {
-                 return Of<Triangle<double>>(Triangle<double>(a.value, b.value, c.value), rounding);
+                 return renamed(corner_names, [&] {
+                   return Of<Triangle<double>>(Triangle<double>(a.value, b.value, c.value), rounding);
+                 });
                }),
                py::arg("a"), py::arg("b"), py::arg("c"), py::arg("rounding") = 0.0);
   add_corners<Triangle<double>>(triangle, {"a", "b", "c"});
   auto segment = shape_class<LineSegment<double>>(m, "Segment",
                                                   "The straight piece between two points; with a rounding a capsule.");
   segment.def(py::init([](const Vector& a, const Vector& b, double rounding) {
-                return Of<LineSegment<double>>(LineSegment<double>(a.value, b.value), rounding);
+                return renamed(corner_names, [&] {
+                  return Of<LineSegment<double>>(LineSegment<double>(a.value, b.value), rounding);
+                });
               }),
               py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0);
   add_corners<LineSegment<double>>(segment, {"a", "b"});
@@ -334,8 +341,11 @@ contacts push out of the front alone. Raises ValueError that names the index or 
              std::vector<Mesh<double>::Index> triangles(static_cast<std::size_t>(indices.shape(0)));
              for (std::size_t i = 0; i < triangles.size(); ++i)
                std::copy_n(indices.data() + 3 * i, 3, triangles[i].begin());
-             return Of<Mesh<double>>(Mesh<double>(points_of(rows(vertices, 3, "vertices")), std::move(triangles),
-                                                  front_only ? Sides::front : Sides::both, solid));
+             const auto sides = front_only ? Sides::front : Sides::both;
+             return renamed({{"points", "vertices"}, {"triangles", "faces"}}, [&] {
+               return Of<Mesh<double>>(
+                   Mesh<double>(points_of(rows(vertices, 3, "vertices")), std::move(triangles), sides, solid));
+             });
            }),
            py::arg("vertices"), py::arg("faces"), py::arg("solid") = false, py::arg("front_only") = false)
       .def_property_readonly(
@@ -369,10 +379,12 @@ z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
              if (!any || any.ndim() != 2)
                validate::fail("heights", "an array of two dimensions", any ? static_cast<double>(any.ndim()) : 0);
              const Rows heights = rows(any, any.shape(1), "heights");
-             return Of<HeightField<double>>(HeightField<double>(
-                 static_cast<std::size_t>(heights.shape(1)), static_cast<std::size_t>(heights.shape(0)),
-                 std::vector<double>(heights.data(), heights.data() + heights.size()), spacing_x, spacing_z,
-                 front_only ? Sides::front : Sides::both));
+             return renamed({{"spacing[0]", "spacing_x"}, {"spacing[1]", "spacing_z"}}, [&] {
+               return Of<HeightField<double>>(HeightField<double>(
+                   static_cast<std::size_t>(heights.shape(1)), static_cast<std::size_t>(heights.shape(0)),
+                   std::vector<double>(heights.data(), heights.data() + heights.size()), spacing_x, spacing_z,
+                   front_only ? Sides::front : Sides::both));
+             });
            }),
            py::arg("heights"), py::arg("spacing_x") = 1.0, py::arg("spacing_z") = 1.0, py::arg("front_only") = false)
       .def_property_readonly(
