@@ -45,3 +45,30 @@ def test_joints_let_their_bodies_touch():
             assert simulation.joint(joint)["enable_collision"] is touch
             joint = simulation.join_distance(a, None, b, None, 0, 1, enable_collision=touch)
             assert simulation.joint(joint)["enable_collision"] is touch
+
+
+def test_an_inertia_may_be_a_matrix():
+    rng = np.random.default_rng(4)
+    hull = graze.ConvexHull(rng.normal(size=(30, 3)))
+    volume, center, inertia = hull.mass_properties()
+    for tensor in (inertia, inertia.tolist(), np.asfortranarray(inertia), inertia.astype(np.float32)):
+        simulation = graze.Simulation(gravity=(0, 0, 0))
+        spin = (1.0, 2.0, -3.0)
+        own = simulation.add(hull, angular=spin, mass=5)
+        given = simulation.add(hull, (9, 0, 0), angular=spin, mass=5, inertia=np.asarray(tensor) * 5 / volume)
+        close = 1e-5 if np.asarray(tensor).dtype == np.float32 else 1e-12
+        assert np.allclose(simulation.angular_momentum(given), simulation.angular_momentum(own), rtol=close)
+        assert np.allclose(simulation.angular_momentum(given), inertia * 5 / volume @ spin, rtol=close)
+    for moments in [(1, 2, 2.5), (3, 3, 3), (2.5, 1, 2)]:
+        body = simulation.add(hull, (0, 9, 0), angular=spin, mass=1, inertia=np.diag(moments))
+        assert np.allclose(simulation.angular_momentum(body), np.multiply(moments, spin), rtol=1e-12)
+    for wrong, message in [
+        ([[1, 0.5, 0], [0, 1, 0], [0, 0, 1]], r"inertia\[1\]\[0\]: expected a symmetric matrix"),
+        (np.full((3, 3), np.nan), "inertia: expected a finite number"),
+        (-np.eye(3), "inertia"),
+        (np.diag([1, 1, 5]), "inertia_diagonal"),
+        (np.eye(4), r"inertia: expected an array of shape \(n, 3\)"),
+        (np.ones((2, 3)), "inertia"),
+    ]:
+        with pytest.raises((ValueError, TypeError), match=message):
+            simulation.add(hull, mass=1, inertia=wrong)

@@ -163,6 +163,57 @@ const char* text_of(Combine combine) {
   return found->first;
 }
 
+namespace {
+
+/// Sets moments and axes of a symmetric matrix, by NumPy's solver for its eigenvectors.
+void set_inertia_of_tensor(Dynamics<double>& dynamics, const py::object& given) {
+  const Rows tensor = rows(given, 3, "inertia");
+  if (tensor.shape(0) != 3) validate::fail("inertia", "a matrix of shape (3, 3)", "another shape");
+  double largest = 0;
+  for (py::ssize_t i = 0; i < 9; ++i) {
+    const double element = tensor.data()[i];
+    if (const char* expected = validate::fault_of_coordinate(element)) validate::fail("inertia", expected, element);
+    largest = std::max(largest, std::abs(element));
+  }
+  for (py::ssize_t i = 0; i < 3; ++i)
+    for (py::ssize_t j = 0; j < i; ++j)
+      if (!(std::abs(tensor.at(i, j) - tensor.at(j, i)) <= unit_slack * largest))
+        validate::fail("inertia[" + std::to_string(i) + "][" + std::to_string(j) + "]", "a symmetric matrix",
+                       tensor.at(i, j));
+  const py::tuple found = py::module_::import("numpy").attr("linalg").attr("eigh")(tensor);
+  const Rows axes = found[1].cast<Rows>();
+  if (!read_vector(found[0], dynamics.inertia_diagonal.emplace())) throw py::type_error("inertia: expected moments");
+  // The columns are the axes, which may be left-handed.
+  py::array_t<double> matrix(py::array::ShapeContainer{py::ssize_t{4}, py::ssize_t{4}});
+  std::fill_n(matrix.mutable_data(), 16, 0.0);
+  matrix.mutable_at(3, 3) = 1;
+  const auto column = [&](py::ssize_t j) { return Vec3d{axes.at(0, j), axes.at(1, j), axes.at(2, j)}; };
+  const double hand = dot(cross(column(0), column(1)), column(2)) < 0 ? -1 : 1;
+  for (py::ssize_t i = 0; i < 3; ++i)
+    for (py::ssize_t j = 0; j < 3; ++j) matrix.mutable_at(i, j) = (j == 2 ? hand : 1) * axes.at(i, j);
+  Posed turned;
+  read_pose(matrix, turned);
+  dynamics.inertia_orientation = turned.rotation;
+}
+
+}  // namespace
+
+void SpaceWords::set_inertia(Dynamics<double>& dynamics, const py::object& given) {
+  py::object moments = given;
+  double q[4] = {0, 0, 0, 1};
+  if (py::isinstance<py::sequence>(given) && py::len(given) == 2) {
+    moments = given[py::int_(0)];
+    if (!read_numbers(given[py::int_(1)], q, 4)) throw py::type_error("inertia: expected a quaternion of four numbers");
+  }
+  dynamics.inertia_orientation = {q[0], q[1], q[2], q[3]};
+  if (read_vector(moments, dynamics.inertia_diagonal.emplace())) return;
+  const py::array tensor = py::array::ensure(given);
+  if (!tensor) PyErr_Clear();
+  if (!tensor || tensor.ndim() != 2)
+    throw py::type_error("inertia: expected three moments, (moments, quaternion), or a matrix of shape (3, 3)");
+  set_inertia_of_tensor(dynamics, tensor);
+}
+
 void add_simulation(py::module_& m) {
   add_joint_parts(m);
   SimulationMethods<SpaceWords>::add(m, R"(What happens next: bodies fall, collide, hang on joints and come to rest.

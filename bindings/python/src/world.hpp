@@ -127,8 +127,9 @@ struct SpaceWords {
   static constexpr const char* hinge = "A turn about the frames' x axis is free.";
   static constexpr const char* joint_axes = "Axes are x, y and z of `frame_a`.";
 
-  static constexpr const char* inertia_given =
-      "three moments about the axes of the body's frame, or (moments, quaternion) of other axes";
+  static constexpr const char* inertia_given = "three moments about the axes of the body's frame, (moments, "
+                                               "quaternion) of other axes, or a matrix of shape\n(3, 3) "
+                                               "in that frame";
 
   static const Shaped& value_of(const Shaped& shape) { return shape; }
   static const Vec3d& value_of(const python::Vector& v) { return v.value; }
@@ -144,18 +145,7 @@ struct SpaceWords {
   }
   static Vec3d vector_of_row(const double* p) { return validate::point(Vec3d{p[0], p[1], p[2]}, "impulse"); }
   /// Sets the inertia of a body. Moments and axes are checked by the simulation.
-  static void set_inertia(Dynamics<double>& dynamics, const py::object& given) {
-    py::object moments = given;
-    double q[4] = {0, 0, 0, 1};
-    if (py::isinstance<py::sequence>(given) && py::len(given) == 2) {
-      moments = given[py::int_(0)];
-      if (!read_numbers(given[py::int_(1)], q, 4))
-        throw py::type_error("inertia: expected a quaternion of four numbers");
-    }
-    if (!read_vector(moments, dynamics.inertia_diagonal.emplace()))
-      throw py::type_error("inertia: expected three moments, or (moments, quaternion)");
-    dynamics.inertia_orientation = {q[0], q[1], q[2], q[3]};
-  }
+  static void set_inertia(Dynamics<double>& dynamics, const py::object& given);
 };
 
 }  // namespace graze::python
