@@ -563,6 +563,7 @@ def test_a_world_tells_its_bodies_by_index(of, ball, size):
     world.remove(bodies[1])
     assert [world.body_at(i) for i in range(4)] == [bodies[0], None, bodies[2], None]
     assert world.body_at(2**32 - 1) is None
+    assert world.bodies == [bodies[0], bodies[2]]
     with pytest.raises(ValueError, match="index: expected an integer from 0 to 4294967295, got -1"):
         world.body_at(-1)
     assert world.poses.shape == (3, size)
@@ -574,6 +575,7 @@ def test_a_world_tells_its_bodies_by_index(of, ball, size):
     assert 0 <= empty < world.memory
     again = world.add(ball)
     assert (again.index, world.body_at(1)) == (1, again)
+    assert world.bodies == [bodies[0], again, bodies[2]] and of.World().bodies == []
     world.update()
     assert [tuple(world.body_at(i) for i in pair) for pair in world.touching] == [(bodies[0], again)]
 

@@ -343,6 +343,17 @@ ValueError for a duration that is negative or not finite.)");
             },
             py::arg("index"), "The BodyId of the body that has an index, as in `touching` and `pairs`, or None.")
         .def_property_readonly(
+            "bodies",
+            [](const View& w) {
+              const auto world = w.read();
+              const auto& bodies = world->bodies();
+              std::vector<BodyId> out;
+              for (std::uint32_t i = 0; i < bodies.size(); ++i)
+                if (bodies.alive()[i] != 0) out.push_back(bodies.id(i));
+              return out;
+            },
+            "The BodyIds of all bodies, by index.")
+        .def_property_readonly(
             "poses",
             [](const View& w) {
               static_assert(sizeof(typename Space::Pose) == Words::pose_size * sizeof(double));
