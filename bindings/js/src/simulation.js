@@ -16,7 +16,7 @@ const told = (name) => !name.startsWith("has");
 export function simulationClasses(core, layout, dimension, worlds, Handle) {
   const { prefix, types, args, pose, shown: shownPose, turning, ask } = dimension;
   const { written, answered } = args;
-  const { idAt, bodyAt } = worlds;
+  const { idAt, bodyAt, velocityAt } = worlds;
   const call = (name, ...parameters) => core.call(`${prefix}simulation_${name}`, ...parameters);
   const vector = (value, path) => written(types.vector, value, path);
   /** The number of numbers that a pose in an array has. */
