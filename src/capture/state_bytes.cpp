@@ -15,7 +15,7 @@ namespace capture {
 /// The first bytes of a state. They hold the end of a line in two forms: a transfer that changes these has changed the
 /// rest too.
 constexpr std::string_view state_magic{"graze state\r\n\n", 14};
-constexpr std::uint16_t state_version = 1;
+constexpr std::uint16_t state_version = 2;
 
 template <class Io, class T>
 void fields(Io& io, FreeBody<T>& body) {
@@ -40,6 +40,10 @@ void fields(Io& io, JointPlace<T, Space>& place) {
   io(joint.joint, joint.a, joint.b, joint.frame_a, joint.frame_b);
   fields(io, joint.impulses, sizeof(T));
   io(joint.impulse_step, place.generation, place.alive);
+}
+template <class Io, class Turning>
+void fields(Io& io, RollingImpulse<Turning>& rolling) {
+  io(rolling.pair.a, rolling.pair.b, rolling.feature, rolling.impulse);
 }
 template <class Io, class T, class Space>
 void fields(Io& io, StepReport<T, Space>& r) {
@@ -77,6 +81,7 @@ void fields_of_state(Io& io, Kept& kept) {
   fields_of_all(io, kept.linear);
   fields_of_all(io, kept.angular);
   fields_of_all(io, kept.impulses);
+  fields_of_all(io, kept.rolling);
   io(kept.settings, kept.last, kept.last_step, kept.usual_step);
 }
 
@@ -149,6 +154,7 @@ void check_state(Kept& kept) {
       throw Damaged{"a body with an invalid motion"};
   }
   for (auto& impulse : kept.impulses) finite(impulse);
+  for (auto& rolling : kept.rolling) finite(rolling.impulse);
   for (auto& place : kept.joints)
     for (auto& impulse : place.in_place.impulses) finite(impulse, place.in_place.impulse_step);
   finite(kept.last_step, kept.usual_step);
@@ -179,7 +185,7 @@ State<T, Space> read_state(std::string_view bytes) {
   const std::string head = capture::head<T, Space>();
   if (!bytes.starts_with(head)) {
     if (!bytes.starts_with(capture::state_magic)) throw InvalidValue("state", "the bytes of a state", "other bytes");
-    throw InvalidValue("state", "a state of version 1 of this precision and dimension", "another one");
+    throw InvalidValue("state", "a state of version 2 of this precision and dimension", "another one");
   }
   State<T, Space> state;
   state.kept_ = std::make_unique<typename State<T, Space>::Kept>();

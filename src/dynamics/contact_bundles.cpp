@@ -75,7 +75,9 @@ void ContactBundles<T, Space>::add_chunk(std::span<const std::uint32_t> members,
         bundle.pushed_a |= std::uint32_t{movable[touching.a]} << lane;
         bundle.pushed_b |= std::uint32_t{movable[touching.b]} << lane;
         places_.push_back({touching.a, touching.b});
-        sources_.push_back({&touching, &m});
+        typename Space::Turning* const rolling =
+            touching.rolling ? touching.rolling + (&m - contact.found.data()) : nullptr;
+        sources_.push_back({&touching, &m, rolling});
         break;
       }
     }

@@ -16,6 +16,7 @@ template <class T, class Space>
 struct TouchingBodies {
   std::uint32_t a{}, b{};
   Touching<T, Space> between{};
+  typename Space::Turning* rolling{};  ///< `LaneSource::rolling` of the first manifold, and then the others'
 };
 
 /// A lane's bodies.
@@ -28,6 +29,8 @@ template <class T, class Space>
 struct LaneSource {
   const TouchingBodies<T, Space>* touching;
   const ContactManifold<T, Space>* found;
+  /// The angular impulse that resists rolling: of the last step, and then of this one; null where nothing resists it.
+  typename Space::Turning* rolling;
 };
 
 /// Manifolds that are solved at a time.
@@ -62,7 +65,7 @@ struct ContactKernels {
   T (*approach)(const Bundle&, const Body* bodies);
   /// The greatest speed at which a point that pushes parts.
   T (*parting)(const Bundle&, const Body* bodies);
-  /// Writes the points' impulses, `times` as large.
+  /// Writes the impulses of the points and those that resist rolling, `times` as large.
   void (*store)(const Bundle&, T times, Point* points);
 };
 

@@ -109,7 +109,8 @@ void ManifoldRows<S, Space>::set_pressure_center(std::span<Row> rows, const S& c
   const S divisor = select(sum > S(T(0)), sum, S(T(1)));
   arm_a = center_a / divisor;
   arm_b = center_b / divisor;
-  for (Row& r : rows) r.distance = length(r.arm_a - arm_a);
+  using std::sqrt;
+  for (Row& r : rows) r.distance = sqrt(square_from_center<S>(r.arm_a, arm_a));
 }
 
 /// The velocity that the surface of a body which nothing pushes has gained at `arm` by the middle of the step, as it

@@ -166,6 +166,13 @@ template <class S, class Space, class T = typename LaneOf<S>::type>
   m.touching = gathered<S, Touching<S, Over>>(between);
   m.prepare(in.body(&LanePlaces::a), in.body(&LanePlaces::b), BundlePoints<S, Space>(bundle, points, count), count,
             step, warm, in.rows());
+  if (!bundle.roll) return;
+  const typename Space::Turning none{};
+  const auto rolling = [&](std::size_t lane) __attribute__((always_inline)) {
+    return bundle.sources[lane].rolling ? bundle.sources[lane].rolling : &none;
+  };
+  const auto last = gathered<S, typename Over::Turning>(rolling);
+  m.friction.take_over_rolling(last * S(warm.share), in.rows(), m.touching.material);
 }
 
 template <class S, class Space, class T = typename LaneOf<S>::type>
@@ -223,6 +230,13 @@ template <class S, class Space, class T = typename LaneOf<S>::type>
               return lane < bundle.filled && i < m.point_count ? static_cast<void*>(&points[m.first_point + i].impulse)
                                                                : static_cast<void*>(&nowhere);
             });
+      });
+  if (!bundle.roll) return;
+  typename Space::Turning nowhere;
+  scatter_struct<S>(
+      in.manifold().friction.rolling() * S(times), [&](std::size_t lane) __attribute__((always_inline)) {
+        typename Space::Turning* const rolling = bundle.sources[lane].rolling;
+        return lane < bundle.filled && rolling ? static_cast<void*>(rolling) : static_cast<void*>(&nowhere);
       });
 }
 

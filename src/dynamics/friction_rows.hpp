@@ -4,6 +4,7 @@
 // Guarantee: friction stays in Coulomb's cone of the normal impulses that it is solved with. Only + - * / and sqrt.
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "dynamics/row_bodies.hpp"
@@ -29,6 +30,16 @@ template <class S>
 S inverse_or_zero(const S& value) {
   const auto positive = value > S(0);
   return select(positive, S(1) / select(positive, value, S(1)), S(0));
+}
+
+/// The square of a point's distance from the pressure centre, zero where it is but the centre's rounding: a twist would
+/// be laid on the one point that bears anything as a push across the normal, up to all that friction holds.
+template <class S, class Vec>
+S square_from_center(const Vec& arm, const Vec& center) {
+  using T = typename LaneOf<S>::type;
+  constexpr T rounding = T(16) * std::numeric_limits<T>::epsilon();
+  const S square = length_squared(arm - center);
+  return select(square > length_squared(arm) * S(rounding * rounding), square, S(0));
 }
 
 /// Whether friction of size `held` was at a limit of Coulomb's cone, where it is exactly, but for rounding, as long as
@@ -111,7 +122,13 @@ class FrictionRows<S, Space<S>> {
     push_v_ = v * shorter;
     const S twist_limit = material.dynamic_friction * lever;
     twist_ = clamp(twist, -twist_limit, twist_limit);
-    rolling_ = {};
+  }
+
+  /// Takes over an angular impulse that resisted rolling, no more of it than the points that are left hold.
+  void take_over_rolling(const Vec& rolling, Rows rows, const ContactMaterial<S>& material) {
+    S loaded(0);
+    for (const auto& r : rows) loaded += r.impulse;
+    rolling_ = no_longer_than(material.rolling_friction * loaded, rolling);
   }
 
   /// Sets the velocity of B's surface over A's while both bodies rest.
@@ -145,6 +162,8 @@ class FrictionRows<S, Space<S>> {
 
   /// The impulse across the normal.
   Vec push(const Vec& normal) const { return u_ * push_u_ + cross(normal, u_) * push_v_; }
+  /// The angular impulse that resists rolling, on B.
+  const Vec& rolling() const { return rolling_; }
 
   /// The twist as pushes on the points: each gets the cross product of this vector and its way from the
   /// pressure centre, times its part of the pressure, and no point more than its own friction could hold.
@@ -154,7 +173,7 @@ class FrictionRows<S, Space<S>> {
     using std::sqrt;
     S lever(0), furthest(0);
     for (const auto& r : rows) {
-      const S square = length_squared(r.arm_a - center);
+      const S square = square_from_center<S>(r.arm_a, center);
       lever += r.impulse * inverse * square;
       furthest = select(r.impulse > S(0), greatest(furthest, square), furthest);
     }
@@ -181,12 +200,14 @@ class FrictionRows<S, Space<S>> {
   void solve_rolling(const S& limit, const Mask& active, Bodies& bodies) {
     const Vec rolls = bodies.b.angular - bodies.a.angular, axis = normalized(rolls);
     const S mass = inverse_or_zero(dot(axis, (bodies.inertia_a + bodies.inertia_b) * axis));
-    Vec rolling = rolling_ - rolls * mass;
-    const S l = length(rolling);
-    const auto beyond = l > limit;
-    rolling = select(active, rolling * select(beyond, limit / select(beyond, l, S(1)), S(1)), rolling_);
+    const Vec rolling = select(active, no_longer_than(limit, rolling_ - rolls * mass), rolling_);
     roll(rolling - rolling_, bodies);
     rolling_ = rolling;
+  }
+  static Vec no_longer_than(const S& limit, const Vec& v) {
+    const S l = length(v);
+    const auto beyond = l > limit;
+    return v * select(beyond, limit / select(beyond, l, S(1)), S(1));
   }
   static void roll(const Vec& torque, Bodies& bodies) {
     bodies.a.angular -= bodies.inertia_a * torque;
@@ -258,7 +279,13 @@ class FrictionRows<S, plane::Space<S>> {
     const S most = material.static_friction * loaded, held = dot(friction, left(normal));
     slid_ = select(at_limit(abs_of(held), loaded, material), abs_of(slip(normal, a, b)), S(0));
     push_ = clamp(held, -most, most);
-    rolling_ = S(0);
+  }
+
+  void take_over_rolling(const S& rolling, Rows rows, const ContactMaterial<S>& material) {
+    S loaded(0);
+    for (const auto& r : rows) loaded += r.impulse;
+    const S most = material.rolling_friction * loaded;
+    rolling_ = clamp(rolling, -most, most);
   }
 
   void set_belt(const Vec& normal, const Vec& belt) { belt_ = dot(belt, left(normal)); }
@@ -286,6 +313,7 @@ class FrictionRows<S, plane::Space<S>> {
   }
 
   Vec push(const Vec& normal) const { return left(normal) * push_; }
+  const S& rolling() const { return rolling_; }
   /// Zero: in the plane nothing twists about a normal.
   S spread_twist(const Vec&, Rows, const Vec&, const S&, const S&, const ContactMaterial<S>&) const { return S(0); }
 

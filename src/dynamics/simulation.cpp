@@ -224,6 +224,7 @@ void Simulation<T, Space>::remove(BodyId id) {
       remove(JointId{j, p.joints[j].generation});
   if (p.drifts(index) && p.world.bodies().triggers()[index] == 0 && --p.drifting == 0) p.mute();
   p.world.remove(id);
+  p.rolling.drop(index);
   p.bodies[index] = {};
 }
 
@@ -237,7 +238,12 @@ void Simulation<T, Space>::step(T dt) {
   p.world.update();
   p.found_at.assign(p.world.bodies().poses().begin(), p.world.bodies().poses().end());
   p.before.resize(p.bodies.size());
-  for (std::size_t i = 0; i < p.bodies.size(); ++i) p.before[i] = p.bodies[i].free;
+  bool rolling_is_resisted = false;
+  for (std::size_t i = 0; i < p.bodies.size(); ++i) {
+    p.before[i] = p.bodies[i].free;
+    rolling_is_resisted = rolling_is_resisted || p.bodies[i].material.rolling_friction > T(0);
+  }
+  p.rolling.carry_over(p.world.contacts(), rolling_is_resisted);
   p.shares.assign(p.bodies.size(), T(1));
   const auto collided = Clock::now();
   p.usual_step = greatest(dt, usual_step_kept<T> * p.usual_step);
@@ -245,6 +251,7 @@ void Simulation<T, Space>::step(T dt) {
   p.pass_blows_on(dt);
   const auto prepared = Clock::now();
   p.solve_islands(dt);
+  p.rolling.keep(p.world.contacts());
   const auto solved = Clock::now();
   if (p.settings.continuous) p.hold_back(dt);
   const auto held = Clock::now();

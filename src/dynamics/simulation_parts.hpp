@@ -12,6 +12,7 @@
 #include "dynamics/island_solver.hpp"
 #include "dynamics/islands.hpp"
 #include "dynamics/joints.hpp"
+#include "dynamics/rolling_impulses.hpp"
 #include "graze/simulation.hpp"
 
 namespace graze {
@@ -80,6 +81,7 @@ struct SimulationParts {
   std::vector<std::uint32_t> free_joints;
   std::vector<IdPair> muted;  ///< by joints, sorted; as often as there are joints that mute them
   std::size_t drifting = 0;   ///< the number of bodies that move and are not pushed, without triggers
+  RollingImpulses<T, Space> rolling;
 
   // Members that a step fills anew.
   Islands islands;

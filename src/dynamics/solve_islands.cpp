@@ -111,6 +111,7 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
         a,
         b,
         {material_of(*pair), belt_of(body_b, pair->b) - belt_of(body_a, pair->a), least(body_a.size, body_b.size)}};
+    if (touching.between.material.rolling_friction > T(0)) touching.rolling = rolling.of(pair->first_manifold);
     const auto manifolds = contacts.manifolds_of(*pair);
     if (manifolds.size() == 1 && manifolds[0].point_count == 1) {
       const auto& point = contacts.points_of(manifolds[0])[0];

@@ -115,6 +115,7 @@ State<T, Space> Simulation<T, Space>::save() const {
   for (std::size_t i = kept.found_at.size(); i < kept.poses.size(); ++i) kept.found_at.push_back(kept.poses[i]);
   each_point<T, Space>(p.world.contacts(),
                        [&](const SolverPoint<T, Space>& point) { kept.impulses.push_back(point.impulse); });
+  kept.rolling = p.rolling.kept();
   kept.settings = p.settings;
   kept.last = p.last;
   kept.last_step = p.last_step;
@@ -150,6 +151,7 @@ void Simulation<T, Space>::restore(const State<T, Space>& state) {
   p.bodies = kept.bodies;
   p.joints = kept.joints;
   p.found_at = kept.found_at;
+  p.rolling.set_kept(kept.rolling);
   p.settings = kept.settings;
   p.last = kept.last;
   p.last_step = kept.last_step;
@@ -186,6 +188,12 @@ std::uint64_t Simulation<T, Space>::state_hash() const {
     hash.add(body.placed);
   }
   each_point<T, Space>(p.world.contacts(), [&](const SolverPoint<T, Space>& point) { hash.add(point.impulse); });
+  for (const auto& rolling : p.rolling.kept()) {
+    hash.add(rolling.pair.a);
+    hash.add(rolling.pair.b);
+    hash.add(rolling.feature);
+    hash.add(rolling.impulse);
+  }
   for (const JointId id : joints()) {
     for (const T impulse : joint_impulses(id)) hash.add(impulse);
     hash.add(p.joints[id.index].in_place.impulse_step);

@@ -1019,7 +1019,7 @@ export const checks = [
       equal(simulation.pose(crate), end, "the same bits from bytes");
       throws(() => entry.State.fromBytes(bytes.slice(1)), "state: expected the bytes of a state, got other bytes", entry.InvalidValue);
       throws(() => entry.plane.State.fromBytes(bytes), 
-        "state: expected a state of version 1 of this precision and dimension, got another one", entry.InvalidValue);
+        "state: expected a state of version 2 of this precision and dimension, got another one", entry.InvalidValue);
       simulation.applyImpulse(crate, [3, 0, 0], end.translation);
       close(simulation.motion(crate).linear[0], 1, 1e-5, "pushed");
       simulation.applyAngularImpulse(crate, [0, 0.25, 0]);
