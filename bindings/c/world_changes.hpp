@@ -12,7 +12,7 @@ namespace graze::c {
 
 template <class T, class Space>
 void check_body(const World<T, Space>& world, BodyId id) {
-  if (!world.bodies().contains(id)) validate::fail("id", "a body of the world", "a body that is not there");
+  if (!world.bodies().contains(id)) refuse_missing("id", "a body of the world", id);
 }
 
 template <class T, class Space>

@@ -875,8 +875,9 @@ export class World extends Handle implements WorldQueries {
   add(body: Body): BodyId;
   remove(id: BodyId): void;
   move(id: BodyId, pose: PoseLike, velocity?: { linear?: Vec3Like; angular?: Vec3Like }): void;
-  /** Moves bodies to poses of seven numbers. Where one is refused none is moved. */
-  moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>): void;
+  /** Moves bodies to poses of seven numbers, with velocities of six, linear and angular, or the ones they have. Where
+   * one is refused none is moved. */
+  moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>, velocities?: Numbers | ArrayLike<number>): void;
   setShape(id: BodyId, shape: Shape): void;
   setFilter(id: BodyId, filter: Filter): void;
   setFast(id: BodyId, fast: boolean): void;
@@ -1309,8 +1310,9 @@ export declare namespace plane {
     add(body: Body): BodyId;
     remove(id: BodyId): void;
     move(id: BodyId, pose: PoseLike, velocity?: { linear?: ArrayLike<number>; angular?: number }): void;
-    /** Moves bodies to poses of four numbers, as `poses` has them. Where one is refused none is moved. */
-    moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>): void;
+    /** Moves bodies to poses of four numbers, as `poses` has them, with velocities of three, linear and angular, or the
+     * ones they have. Where one is refused none is moved. */
+    moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>, velocities?: Numbers | ArrayLike<number>): void;
     setShape(id: BodyId, shape: Shape): void;
     setFilter(id: BodyId, filter: Filter): void;
     setFast(id: BodyId, fast: boolean): void;

@@ -1062,9 +1062,12 @@ GRAZE_C_API GrazeStatus graze_world_remove_d(GrazeWorldd *world, GrazeBodyId id)
 // Puts a body elsewhere, with a new velocity unless `velocity` is null.
 GRAZE_C_API GrazeStatus graze_world_move_d(GrazeWorldd *world, GrazeBodyId id, const GrazePosed *pose,
                                            const GrazeVelocityd *velocity);
-// Puts many bodies elsewhere. Where one of the bodies or poses is refused none is moved.
+// Puts many bodies elsewhere, with new velocities unless `velocities` is null. Where one of the bodies, poses or
+// velocities is refused none is moved.
 GRAZE_C_API GrazeStatus graze_world_move_batch_d(GrazeWorldd *world, const GrazeBodyId *ids, size_t id_stride,
-                                                 const GrazePosed *poses, size_t pose_stride, size_t count);
+                                                 const GrazePosed *poses, size_t pose_stride,
+                                                 const GrazeVelocityd *velocities, size_t velocity_stride,
+                                                 size_t count);
 GRAZE_C_API GrazeStatus graze_world_set_shape_d(GrazeWorldd *world, GrazeBodyId id, const GrazeShaped *shape);
 GRAZE_C_API GrazeStatus graze_world_set_filter_d(GrazeWorldd *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_world_set_fast_d(GrazeWorldd *world, GrazeBodyId id, bool fast);
@@ -1723,9 +1726,11 @@ GRAZE_C_API GrazeStatus graze_plane_world_remove_d(GrazePlaneWorldd *world, Graz
 // Puts a body elsewhere, with a new velocity unless `velocity` is null.
 GRAZE_C_API GrazeStatus graze_plane_world_move_d(GrazePlaneWorldd *world, GrazeBodyId id, const GrazePose2d *pose,
                                                  const GrazePlaneVelocityd *velocity);
-// Puts many bodies elsewhere. Where one of the bodies or poses is refused none is moved.
+// Puts many bodies elsewhere, with new velocities unless `velocities` is null. Where one of the bodies, poses or
+// velocities is refused none is moved.
 GRAZE_C_API GrazeStatus graze_plane_world_move_batch_d(GrazePlaneWorldd *world, const GrazeBodyId *ids,
                                                        size_t id_stride, const GrazePose2d *poses, size_t pose_stride,
+                                                       const GrazePlaneVelocityd *velocities, size_t velocity_stride,
                                                        size_t count);
 GRAZE_C_API GrazeStatus graze_plane_world_set_shape_d(GrazePlaneWorldd *world, GrazeBodyId id,
                                                       const GrazePlaneShaped *shape);
@@ -2534,7 +2539,9 @@ GRAZE_C_API GrazeStatus graze_world_remove_f(GrazeWorldf *world, GrazeBodyId id)
 GRAZE_C_API GrazeStatus graze_world_move_f(GrazeWorldf *world, GrazeBodyId id, const GrazePosef *pose,
                                            const GrazeVelocityf *velocity);
 GRAZE_C_API GrazeStatus graze_world_move_batch_f(GrazeWorldf *world, const GrazeBodyId *ids, size_t id_stride,
-                                                 const GrazePosef *poses, size_t pose_stride, size_t count);
+                                                 const GrazePosef *poses, size_t pose_stride,
+                                                 const GrazeVelocityf *velocities, size_t velocity_stride,
+                                                 size_t count);
 GRAZE_C_API GrazeStatus graze_world_set_shape_f(GrazeWorldf *world, GrazeBodyId id, const GrazeShapef *shape);
 GRAZE_C_API GrazeStatus graze_world_set_filter_f(GrazeWorldf *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_world_set_fast_f(GrazeWorldf *world, GrazeBodyId id, bool fast);
@@ -3105,6 +3112,7 @@ GRAZE_C_API GrazeStatus graze_plane_world_move_f(GrazePlaneWorldf *world, GrazeB
                                                  const GrazePlaneVelocityf *velocity);
 GRAZE_C_API GrazeStatus graze_plane_world_move_batch_f(GrazePlaneWorldf *world, const GrazeBodyId *ids,
                                                        size_t id_stride, const GrazePose2f *poses, size_t pose_stride,
+                                                       const GrazePlaneVelocityf *velocities, size_t velocity_stride,
                                                        size_t count);
 GRAZE_C_API GrazeStatus graze_plane_world_set_shape_f(GrazePlaneWorldf *world, GrazeBodyId id,
                                                       const GrazePlaneShapef *shape);

@@ -138,8 +138,15 @@ class GRAZE_API Simulation {
   /// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`. Throws `InvalidValue` for any other
   /// body, and for a velocity that is not finite.
   void move_to(BodyId id, const Pose& pose, T dt);
-  void set_material(BodyId id, const Material& material);  ///< replaces the material from now on
-  void wake(BodyId id);                                    ///< wakes the body and what touches it
+  void set_material(BodyId id, const Material& material);  ///< replaces the material, of all pieces, from now on
+  /// Gives the pieces of a body's shape materials of their own from now on: `of_piece[i]` is the place among `materials`
+  /// of that of piece i, counted as `ContactManifold::piece_a` does: children of a compound, triangles of a mesh or a
+  /// height field (two for each cell, holes included), in the plane children of a compound and segments of a chain. A
+  /// point of contact has the material of the piece whose surface is nearest to it. Throws `InvalidValue` for another
+  /// shape, for lists of other lengths, and for invalid materials. Costs a search of the shape's pieces in each step for
+  /// each of its points of contact.
+  void set_materials(BodyId id, std::span<const Material> materials, std::span<const std::uint32_t> of_piece);
+  void wake(BodyId id);  ///< wakes the body and what touches it
 
   /// The poses of all bodies, by index. Indices that are not alive are as in `World::bodies`.
   std::span<const Pose> poses() const;
@@ -170,8 +177,7 @@ class GRAZE_API Simulation {
   /// Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and
   /// removed in the same order: the steps after it have the same bits. Throws `InvalidValue` where there are other
   /// bodies or joints now: of another handle, kind of shape, size or mass, joined otherwise. Costs an update of the
-  /// world. Contacts are found anew, so that the events of the next step may begin a contact that had begun before
-  /// where bodies are apart by less than their margin.
+  /// world. The events of the steps after it are those of the saved run.
   void restore(const State<T, Space>& state);
 
  private:

@@ -106,6 +106,9 @@ class GRAZE_API World {
   const ContactArrays<T, Space>& contacts() const { return manifolds_.contacts(); }
   /// The events of the last update: contacts that began, stayed and ended.
   std::span<const ContactEvent> events() const { return tracker_.events(); }
+  /// Takes events of an earlier update, with pairs of the last one, in place of the last update's: the next update goes
+  /// on from them. For who goes back to an earlier state.
+  void go_back_to(std::span<const ContactEvent> events) { tracker_.go_back_to(events); }
   /// The bodies that fast ones would meet in the duration of the last update or `find_impacts`, in the order of time.
   std::span<const Impact<T, Space>> impacts() const { return impacts_; }
 

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "dynamics/surfaces.hpp"
 #include "graze/plane/simulation.hpp"
 
 namespace graze::capture {
@@ -89,6 +90,7 @@ class Reading {
   static constexpr std::uint8_t last_of(Combine) { return static_cast<std::uint8_t>(Combine::multiply); }
   static constexpr std::uint8_t last_of(JointSpace) { return static_cast<std::uint8_t>(JointSpace::angular); }
   static constexpr std::uint8_t last_of(DriveMode) { return static_cast<std::uint8_t>(DriveMode::acceleration); }
+  static constexpr std::uint8_t last_of(EventKind) { return static_cast<std::uint8_t>(EventKind::end); }
   static constexpr std::uint8_t last_of(Sides) { return static_cast<std::uint8_t>(Sides::front); }
   static constexpr std::uint8_t last_of(plane::ChainSides) {
     return static_cast<std::uint8_t>(plane::ChainSides::both);
@@ -110,6 +112,18 @@ void fields(Reading& io, std::vector<V>& values, std::size_t least_bytes) {
   if (count > io.left() / least_bytes) throw Damaged{"more values than it has bytes for"};
   values.resize(static_cast<std::size_t>(count));
   for (V& value : values) io(value);
+}
+
+/// The bytes that a value takes at least in the file.
+template <class V>
+std::size_t bytes_of() {
+  Writing bytes;
+  bytes(V{});
+  return bytes.bytes.size();
+}
+template <class Io, class V>
+void fields_of_all(Io& io, std::vector<V>& values) {
+  fields(io, values, bytes_of<V>());
 }
 
 /// Writes a count and so many bytes.
@@ -179,6 +193,11 @@ template <class Io, class T, class Vec>
 void fields(Io& io, Material<T, Vec>& m) {
   io(m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.friction_combine,
      m.restitution_combine, m.surface_velocity);
+}
+template <class Io, class T, class Space>
+void fields(Io& io, PieceMaterials<T, Space>& pieces) {
+  fields_of_all(io, pieces.materials);
+  fields_of_all(io, pieces.of_piece);
 }
 template <class Io, class T>
 void fields(Io& io, Dynamics<T>& d) {

@@ -72,8 +72,7 @@ namespace {
 
 template <class T, class Space>
 void check_body(const World<T, Space>& world, BodyId id) {
-  if (!world.bodies().contains(id))
-    throw InvalidValue("body", "the handle of a body that is in the world", "one that is not there");
+  if (!world.bodies().contains(id)) refuse_missing("body", "a body of the world", id);
 }
 
 }  // namespace
@@ -155,6 +154,14 @@ template <class T, class Space>
 void CapturedSimulation<T, Space>::set_material(BodyId id, const Material& material) {
   simulation_.set_material(id, material);
   if (writer_) writer_->call(Call::set_material, id, material);
+}
+template <class T, class Space>
+void CapturedSimulation<T, Space>::set_materials(BodyId id, std::span<const Material> materials,
+                                                 std::span<const std::uint32_t> of_piece) {
+  simulation_.set_materials(id, materials, of_piece);
+  if (!writer_) return;
+  const PieceMaterials<T, Space> pieces{{materials.begin(), materials.end()}, {of_piece.begin(), of_piece.end()}};
+  writer_->call(Call::set_materials, id, pieces);
 }
 template <class T, class Space>
 void CapturedSimulation<T, Space>::wake(BodyId id) {

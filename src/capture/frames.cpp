@@ -52,7 +52,8 @@ const char* name_of(Call call) {
                                                         "set_fast",
                                                         "update",
                                                         "find_impacts",
-                                                        "set_name"};
+                                                        "set_name",
+                                                        "set_materials"};
   return names[static_cast<std::size_t>(call)];
 }
 
@@ -151,7 +152,7 @@ Head FrameReader::head() {
   io(of, kind, single);
   if (of < oldest_version || of > version)
     throw InvalidValue(name_,
-                       "a capture of version " + std::to_string(oldest_version) + " or " + std::to_string(version),
+                       "a capture of version " + std::to_string(oldest_version) + " to " + std::to_string(version),
                        "version " + std::to_string(of));
   if (kind > static_cast<std::uint8_t>(Kind::plane_simulation) || single > 1)
     throw InvalidValue(name_, "a capture of a world or a simulation", "something else");

@@ -13,8 +13,8 @@
 namespace graze::capture {
 
 /// The version of the format. A reader takes its own version and those before it from the oldest on: 3 has names of
-/// bodies, which 2 has not, and is the same otherwise.
-inline constexpr std::uint16_t version = 3, oldest_version = 2;
+/// bodies, which 2 has not, and 4 has materials of pieces, which 3 has not; they are the same otherwise.
+inline constexpr std::uint16_t version = 4, oldest_version = 2;
 
 enum class Kind : std::uint8_t { world, simulation, plane_world, plane_simulation };
 
@@ -56,10 +56,12 @@ enum class Call : std::uint8_t {
   update,        ///< ends a frame
   find_impacts,  ///< ends a frame
   // Calls of either.
-  set_name  ///< since version 3
+  set_name,  ///< since version 3
+  // Of a simulation again.
+  set_materials  ///< since version 4
 };
 /// The number of different calls in a version of the format.
-constexpr std::size_t call_count(std::uint16_t of = version) { return of == 2 ? 25 : 26; }
+constexpr std::size_t call_count(std::uint16_t of = version) { return of == 2 ? 25 : of == 3 ? 26 : 27; }
 /// The name of the method: "add", "step".
 const char* name_of(Call call);
 

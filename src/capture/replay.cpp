@@ -152,6 +152,11 @@ void make(Call call, Player<T, Space>& from, Simulation<T, Space>& s, CapturedSt
     const BodyId body = id();
     return s.set_material(body, from.template read<graze::Material<T, Vec>>());
   }
+  case Call::set_materials: {
+    const BodyId body = id();
+    const auto pieces = from.template read<PieceMaterials<T, Space>>();
+    return s.set_materials(body, pieces.materials, pieces.of_piece);
+  }
   case Call::wake: return s.wake(id());
   case Call::set_gravity: return s.set_gravity(vec());
   case Call::save: return states.save(from.template read<std::uint8_t>(), s);

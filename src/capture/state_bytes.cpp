@@ -30,9 +30,17 @@ void fields(Io& io, BodyMass<T, Space>& mass) {
   io(mass.mass, mass.inverse_mass, mass.inertia, mass.inverse_inertia, mass.principal);
 }
 template <class Io, class T, class Space>
+void fields(Io& io, std::shared_ptr<const PieceMaterials<T, Space>>& pieces) {
+  PieceMaterials<T, Space> all;
+  if (pieces) all = *pieces;
+  io(all);
+  if constexpr (std::is_same_v<Io, Reading>)
+    if (!all.of_piece.empty()) pieces = std::make_shared<const PieceMaterials<T, Space>>(std::move(all));
+}
+template <class Io, class T, class Space>
 void fields(Io& io, SimulatedBody<T, Space>& b) {
-  io(b.free, b.spin, b.mass, b.material, b.gravity_factor, b.linear_damping, b.angular_damping, b.size, b.depth,
-     b.radius, b.force, b.torque, b.rested, b.sub_steps, b.movable, b.moves, b.may_sleep, b.asleep, b.placed);
+  io(b.free, b.spin, b.mass, b.material, b.pieces, b.gravity_factor, b.linear_damping, b.angular_damping, b.size,
+     b.depth, b.radius, b.force, b.torque, b.rested, b.sub_steps, b.movable, b.moves, b.may_sleep, b.asleep, b.placed);
 }
 template <class Io, class T, class Space>
 void fields(Io& io, JointPlace<T, Space>& place) {
@@ -40,6 +48,10 @@ void fields(Io& io, JointPlace<T, Space>& place) {
   io(joint.joint, joint.a, joint.b, joint.frame_a, joint.frame_b);
   fields(io, joint.impulses, sizeof(T));
   io(joint.impulse_step, place.generation, place.alive);
+}
+template <class Io>
+void fields(Io& io, ContactEvent& event) {
+  io(event.kind, event.trigger, event.a, event.b);
 }
 template <class Io, class Turning>
 void fields(Io& io, RollingImpulse<Turning>& rolling) {
@@ -57,18 +69,6 @@ void fields(Io& io, StepReport<T, Space>& r) {
      r.angular_momentum);
 }
 
-/// The bytes that a value takes at least in the file.
-template <class V>
-std::size_t bytes_of() {
-  Writing bytes;
-  bytes(V{});
-  return bytes.bytes.size();
-}
-template <class Io, class V>
-void fields_of_all(Io& io, std::vector<V>& values) {
-  fields(io, values, bytes_of<V>());
-}
-
 /// The state's fields, in the order of the file.
 template <class Io, class Kept>
 void fields_of_state(Io& io, Kept& kept) {
@@ -82,6 +82,7 @@ void fields_of_state(Io& io, Kept& kept) {
   fields_of_all(io, kept.angular);
   fields_of_all(io, kept.impulses);
   fields_of_all(io, kept.rolling);
+  fields_of_all(io, kept.events);
   io(kept.settings, kept.last, kept.last_step, kept.usual_step);
 }
 
@@ -146,9 +147,19 @@ void check_state(Kept& kept) {
     if (id.index < least || id.index >= count) throw Damaged{"bodies that are not in the order of their indices"};
     least = id.index + 1;
   }
+  const auto indices = [](const ContactEvent& e) { return std::pair(e.a.index, e.b.index); };
+  for (std::size_t i = 0; i < kept.events.size(); ++i) {
+    if (i > 0 && indices(kept.events[i - 1]) > indices(kept.events[i]))
+      throw Damaged{"events that are not in the order of their bodies"};
+  }
   FiniteNumbers finite;
   for (std::size_t i = 0; i < count; ++i) {
     check(kept.bodies[i].material);
+    if (const auto& pieces = kept.bodies[i].pieces) {
+      for (const auto& material : pieces->materials) check(material);
+      for (const std::uint32_t place : pieces->of_piece)
+        if (place >= pieces->materials.size()) throw Damaged{"a piece with a material that is not there"};
+    }
     if (!is_sound(kept.bodies[i]) || !is_sound(kept.poses[i]) || !is_sound(kept.found_at[i]) ||
         !is_accepted(kept.linear[i]) || !is_accepted(kept.angular[i]))
       throw Damaged{"a body with an invalid motion"};

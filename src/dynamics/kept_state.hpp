@@ -19,6 +19,7 @@ struct State<T, Space>::Kept {
   std::vector<typename Space::Turning> angular;
   std::vector<typename Space::Vec> impulses;  ///< in the order of pairs
   std::vector<RollingImpulse<typename Space::Turning>> rolling;
+  std::vector<ContactEvent> events;  ///< of the last step; their pairs are found anew
   SimulationSettings<T, Space> settings;
   StepReport<T, Space> last;
   T last_step{}, usual_step{};

@@ -227,11 +227,10 @@ void gather(const SimulationParts<T, Space>& parts, const Islands::Range& range,
   for (const std::uint32_t l : parts.islands.links_of(range)) {
     const ContactPair<T>* pair = parts.contact_of(l);
     if (!pair) continue;
-    const ContactMaterial<T> material = parts.material_of(*pair);
     const T near = touching<T> * least(parts.bodies[pair->a].size, parts.bodies[pair->b].size);
     std::uint32_t a = 0, b = 0;
     bool placed = false;
-    for (const ContactManifold<T, Space>& m : parts.world.contacts().manifolds_of(*pair)) {
+    const auto add = [&](const ContactManifold<T, Space>& m, const ContactMaterial<T>& material) {
       const auto first = static_cast<std::uint32_t>(island.points.size());
       typename Space::Vec normal = m.normal;
       for (const SolverPoint<T, Space>& p : parts.world.contacts().points_of(m)) {
@@ -241,7 +240,7 @@ void gather(const SimulationParts<T, Space>& parts, const Islands::Range& range,
         normal = at.normal;
       }
       const auto count = static_cast<std::uint32_t>(island.points.size()) - first;
-      if (count == 0) continue;
+      if (count == 0) return;
       if (!placed) {
         a = place_of<T, Space>(parts, members, pair->a, island);
         b = place_of<T, Space>(parts, members, pair->b, island);
@@ -249,7 +248,10 @@ void gather(const SimulationParts<T, Space>& parts, const Islands::Range& range,
       }
       island.blows.push_back({a, b, normal, material.restitution, first, count});
       island.friction.push_back(material.dynamic_friction);
-    }
+    };
+    parts.each_surface(*pair, [&](auto manifolds, const auto& sides, std::size_t) {
+      for (const ContactManifold<T, Space>& m : manifolds) add(m, sides.combined());
+    });
   }
   island.impulses.assign(island.points.size(), T(0));
   for (const StruckBody<T, Space>& body : island.bodies) island.before.push_back(body.motion);
@@ -284,9 +286,8 @@ bool SimulationParts<T, Space>::strike_next(const Islands::Range& range, T slow,
   for (const std::uint32_t l : islands.links_of(range)) {
     const ContactPair<T>* pair = contact_of(l);
     if (!pair) continue;
-    const bool bouncy = material_of(*pair).restitution > T(0);
     const T share = share_of(*this, *pair);
-    for (const ContactManifold<T, Space>& m : contacts.manifolds_of(*pair)) {
+    const auto look_at = [&](const ContactManifold<T, Space>& m, bool bouncy) {
       const auto points = contacts.points_of(m);
       const T t =
           bouncy ? time_of_blow<T, Space>(*this, *pair, m, points, slow, dt) : std::numeric_limits<T>::infinity();
@@ -302,7 +303,11 @@ bool SimulationParts<T, Space>::strike_next(const Islands::Range& range, T slow,
         if (meets && length(motion(i).linear) > slow)
           flight->until = least(flight->until, t + (shares[i] - share) * dt);
       }
-    }
+    };
+    each_surface(*pair, [&](auto manifolds, const Sides& sides, std::size_t) {
+      const bool bouncy = sides.combined().restitution > T(0);
+      for (const ContactManifold<T, Space>& m : manifolds) look_at(m, bouncy);
+    });
   }
   if (!struck) return false;
   for (std::size_t i = 0; i < members.size(); ++i)
@@ -316,6 +321,13 @@ bool SimulationParts<T, Space>::strike_next(const Islands::Range& range, T slow,
 }
 
 template <class T, class Space>
+bool SimulationParts<T, Space>::may_bounce(const ContactPair<T>& pair) const {
+  bool any = false;
+  each_surface(pair, [&](auto, const Sides& sides, std::size_t) { any = any || sides.combined().restitution > T(0); });
+  return any;
+}
+
+template <class T, class Space>
 void SimulationParts<T, Space>::pass_blows_on(T dt) {
   const T slow = bouncing_steps<T> * length(settings.gravity) * dt;
   for (std::size_t k = 0; k < awake.size(); ++k) {
@@ -324,7 +336,7 @@ void SimulationParts<T, Space>::pass_blows_on(T dt) {
     const auto links_here = islands.links_of(range);
     const bool bounces = std::any_of(links_here.begin(), links_here.end(), [&](std::uint32_t l) {
       const ContactPair<T>* pair = contact_of(l);
-      return pair && material_of(*pair).restitution > T(0);
+      return pair && may_bounce(*pair);
     });
     if (!bounces) continue;
     const int most = range.body_count == 1 ? most_flights : 1;

@@ -26,35 +26,37 @@ class RollingImpulses {
   using Turning = typename Space::Turning;
 
   /// Takes the impulses over to the manifolds. `resisted`: whether any body resists rolling.
-  void carry_over(const ContactArrays<T, Space>& contacts, bool resisted) {
+  template <class Parts>
+  void carry_over(const Parts& parts, bool resisted) {
     resisted_ = resisted;
     of_manifolds_.clear();
     if (!resisted) return kept_.clear();
-    of_manifolds_.resize(contacts.manifolds.size());
+    of_manifolds_.resize(parts.surface_count());
     auto first = kept_.begin();
-    for (const ContactPair<T>& pair : contacts.pairs) {
+    for (const ContactPair<T>& pair : parts.world.contacts().pairs) {
       if (first == kept_.end()) break;
       const IdPair ids{pair.a, pair.b};
       while (first != kept_.end() && first->pair < ids) ++first;
       auto end = first;
       while (end != kept_.end() && end->pair == ids) ++end;
-      carry_over(contacts, pair, {first, end});
+      if (first != end) carry_over(parts, pair, {first, end});
       first = end;
     }
   }
-  /// The impulse of a manifold, by its index, behind which those of its pair's others stand.
-  Turning* of(std::uint32_t manifold) { return &of_manifolds_[manifold]; }
+  /// The impulse of a manifold, by its number (`SimulationParts::each_surface`), behind which those of its neighbours
+  /// stand.
+  Turning* of(std::size_t manifold) { return &of_manifolds_[manifold]; }
   /// Keeps the impulses of the manifolds for the next step.
-  void keep(const ContactArrays<T, Space>& contacts) {
+  template <class Parts>
+  void keep(const Parts& parts) {
     kept_.clear();
     if (!resisted_) return;
-    for (const ContactPair<T>& pair : contacts.pairs)
-      for (const ContactManifold<T, Space>& m : contacts.manifolds_of(pair)) {
-        const Turning& impulse = of_manifolds_[index_of(contacts, m)];
-        if (impulse == Turning{}) continue;
-        for (const SolverPoint<T, Space>& p : contacts.points_of(m))
+    for (const ContactPair<T>& pair : parts.world.contacts().pairs)
+      each_manifold(parts, pair, [&](const ContactManifold<T, Space>& m, Turning& impulse) {
+        if (impulse == Turning{}) return;
+        for (const SolverPoint<T, Space>& p : parts.world.contacts().points_of(m))
           kept_.push_back({{pair.a, pair.b}, p.feature, impulse});
-      }
+      });
   }
   /// Drops the impulses of a body that is gone.
   void drop(std::uint32_t body) {
@@ -66,16 +68,19 @@ class RollingImpulses {
   void set_kept(const std::vector<RollingImpulse<Turning>>& kept) { kept_ = kept; }
 
  private:
-  static std::size_t index_of(const ContactArrays<T, Space>& contacts, const ContactManifold<T, Space>& m) {
-    return static_cast<std::size_t>(&m - contacts.manifolds.data());
+  /// Calls `f` with the manifolds of a pair and their impulses.
+  template <class Parts, class F>
+  void each_manifold(const Parts& parts, const ContactPair<T>& pair, const F& f) {
+    parts.each_surface(pair, [&](auto manifolds, const auto&, std::size_t first) {
+      for (std::size_t i = 0; i < manifolds.size(); ++i) f(manifolds[i], of_manifolds_[first + i]);
+    });
   }
   /// Takes the impulses of one pair over.
-  void carry_over(const ContactArrays<T, Space>& contacts, const ContactPair<T>& pair,
-                  std::span<const RollingImpulse<Turning>> last) {
-    if (last.empty()) return;
+  template <class Parts>
+  void carry_over(const Parts& parts, const ContactPair<T>& pair, std::span<const RollingImpulse<Turning>> last) {
     std::size_t at = 0;
-    for (const ContactManifold<T, Space>& m : contacts.manifolds_of(pair)) {
-      const auto points = contacts.points_of(m);
+    each_manifold(parts, pair, [&](const ContactManifold<T, Space>& m, Turning& impulse) {
+      const auto points = parts.world.contacts().points_of(m);
       const auto shared = [&](const RollingImpulse<Turning>& kept) {
         return std::any_of(points.begin(), points.end(), [&](const auto& p) { return p.feature == kept.feature; });
       };
@@ -83,10 +88,10 @@ class RollingImpulses {
         const RollingImpulse<Turning>& kept = last[at];
         if (++at == last.size()) at = 0;
         if (!shared(kept)) continue;
-        of_manifolds_[index_of(contacts, m)] = kept.impulse;
+        impulse = kept.impulse;
         break;
       }
-    }
+    });
   }
 
   std::vector<RollingImpulse<Turning>> kept_;

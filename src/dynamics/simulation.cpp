@@ -49,17 +49,14 @@ void check(const SimulationSettings<T, Space>& s) {
 
 template <class T, class Space>
 std::uint32_t SimulationParts<T, Space>::checked(BodyId id) const {
-  if (!world.bodies().contains(id))
-    throw InvalidValue("body", "the handle of a body that is in the simulation",
-                       std::to_string(id.index) + " of generation " + std::to_string(id.generation));
+  if (!world.bodies().contains(id)) refuse_missing("body", "a body of the simulation", id);
   return id.index;
 }
 
 template <class T, class Space>
 std::uint32_t SimulationParts<T, Space>::checked(JointId id) const {
   if (id.index >= joints.size() || !joints[id.index].alive || joints[id.index].generation != id.generation)
-    throw InvalidValue("joint", "the handle of a joint that is in the simulation",
-                       std::to_string(id.index) + " of generation " + std::to_string(id.generation));
+    refuse_missing("joint", "a joint of the simulation", id);
   return id.index;
 }
 
@@ -238,12 +235,17 @@ void Simulation<T, Space>::step(T dt) {
   p.world.update();
   p.found_at.assign(p.world.bodies().poses().begin(), p.world.bodies().poses().end());
   p.before.resize(p.bodies.size());
-  bool rolling_is_resisted = false;
+  bool rolling_resisted = false, pieces = false;
   for (std::size_t i = 0; i < p.bodies.size(); ++i) {
-    p.before[i] = p.bodies[i].free;
-    rolling_is_resisted = rolling_is_resisted || p.bodies[i].material.rolling_friction > T(0);
+    const SimulatedBody<T, Space>& body = p.bodies[i];
+    p.before[i] = body.free;
+    pieces = pieces || body.pieces;
+    rolling_resisted =
+        rolling_resisted || body.any_material([](const auto& material) { return material.rolling_friction > T(0); });
   }
-  p.rolling.carry_over(p.world.contacts(), rolling_is_resisted);
+  p.cut.clear();
+  if (pieces) p.cut_manifolds();
+  p.rolling.carry_over(p, rolling_resisted);
   p.shares.assign(p.bodies.size(), T(1));
   const auto collided = Clock::now();
   p.usual_step = greatest(dt, usual_step_kept<T> * p.usual_step);
@@ -251,7 +253,7 @@ void Simulation<T, Space>::step(T dt) {
   p.pass_blows_on(dt);
   const auto prepared = Clock::now();
   p.solve_islands(dt);
-  p.rolling.keep(p.world.contacts());
+  p.rolling.keep(p);
   const auto solved = Clock::now();
   if (p.settings.continuous) p.hold_back(dt);
   const auto held = Clock::now();
@@ -344,6 +346,7 @@ void Simulation<T, Space>::set_material(BodyId id, const MaterialIn<T, Space>& m
   check(material);
   const std::uint32_t index = parts_->checked(id);
   parts_->bodies[index].material = material;
+  parts_->bodies[index].pieces = nullptr;
   parts_->wake_around(index);
 }
 template <class T, class Space>

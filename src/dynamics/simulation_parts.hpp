@@ -6,6 +6,8 @@
 // from the world's pairs, which are sorted.
 #pragma once
 
+#include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "dynamics/body_mass.hpp"
@@ -13,12 +15,10 @@
 #include "dynamics/islands.hpp"
 #include "dynamics/joints.hpp"
 #include "dynamics/rolling_impulses.hpp"
+#include "dynamics/surfaces.hpp"
 #include "graze/simulation.hpp"
 
 namespace graze {
-
-template <class T, class Space>
-using MaterialIn = Material<T, typename Space::Vec>;
 
 /// A body and its motion.
 template <class T, class Space>
@@ -27,6 +27,7 @@ struct SimulatedBody {
   typename Space::Turning spin{};  ///< angular velocity of what nothing pushes, which has no angular momentum
   BodyMass<T, Space> mass{};
   MaterialIn<T, Space> material{};
+  std::shared_ptr<const PieceMaterials<T, Space>> pieces;  ///< null where all pieces have `material`
   T gravity_factor = T(1), linear_damping{}, angular_damping{};
   T size{};    ///< the least extent of the shape: what tolerances refer to
   T depth{};   ///< of the centre of mass in the shape: sunk by more, it would be pushed out on the other side
@@ -40,6 +41,12 @@ struct SimulatedBody {
   bool may_sleep = true;
   bool asleep = false;
   bool placed = true;  ///< by hand, into others that it still overlaps
+
+  /// Whether `has` is true of any of its materials.
+  template <class F>
+  bool any_material(const F& has) const {
+    return pieces ? std::any_of(pieces->materials.begin(), pieces->materials.end(), has) : has(material);
+  }
 };
 
 /// A joint's place: whether there is one, and how often its index was given away.
@@ -86,8 +93,9 @@ struct SimulationParts {
   // Members that a step fills anew.
   Islands islands;
   std::vector<IslandSolver<T, Space>> solvers;  ///< one for each task, kept for their storage
-  std::vector<std::uint8_t> movable, awake;     ///< of each body; of each island
-  std::vector<typename Space::Pose> found_at;   ///< where the last update found contacts
+  CutManifolds<T, Space> cut;
+  std::vector<std::uint8_t> movable, awake;    ///< of each body; of each island
+  std::vector<typename Space::Pose> found_at;  ///< where the last update found contacts
   std::vector<IslandLink> links;
   std::vector<std::uint32_t> link_pairs;  ///< of each link: its place among the contact pairs, or the joint behind them
   std::vector<FreeBodyIn<Space>> before;  ///< state of the bodies at the beginning of the step
@@ -103,6 +111,9 @@ struct SimulationParts {
   StepReport<T, Space> last{};
 
   Scales<T> scales(T dt) const { return {length(settings.gravity), dt}; }
+  using Sides = typename CutManifolds<T, Space>::Sides;
+  using CutPair = typename CutManifolds<T, Space>::Cut;
+
   std::uint32_t checked(BodyId id) const;
   std::uint32_t checked(JointId id) const;
   typename Space::Pose pose_of(std::uint32_t index) const;
@@ -128,15 +139,34 @@ struct SimulationParts {
   /// Leaves out of the world's pairs those that joints mute, and those of two bodies that nothing pushes.
   void mute();
 
-  ContactMaterial<T> material_of(const ContactPair<T>& pair) const {
-    return combined(bodies[pair.a].material, bodies[pair.b].material);
+  /// Calls `f(manifolds, sides, first)` with the manifolds of a pair that have the same materials, `sides`, side by side
+  /// in the world's or in the cut ones. `first` is a number for the first of them, which no other has.
+  template <class F>
+  void each_surface(const ContactPair<T>& pair, const F& f) const {
+    const ContactArrays<T, Space>& contacts = world.contacts();
+    const CutPair* known = nullptr;
+    if (!cut.pairs.empty()) {
+      const auto index = static_cast<std::uint32_t>(&pair - contacts.pairs.data());
+      const auto at = std::lower_bound(cut.pairs.begin(), cut.pairs.end(), index,
+                                       [](const CutPair& c, std::uint32_t i) { return c.pair < i; });
+      if (at != cut.pairs.end() && at->pair == index) known = &*at;
+    }
+    if (!known)
+      return f(contacts.manifolds_of(pair), Sides{&bodies[pair.a].material, &bodies[pair.b].material},
+               std::size_t{pair.first_manifold});
+    for (std::uint32_t i = known->first; i < known->first + known->count; ++i)
+      f(std::span(cut.manifolds).subspan(i, 1), cut.sides[i], contacts.manifolds.size() + i);
   }
+  /// One more than the largest number of a manifold.
+  std::size_t surface_count() const { return world.contacts().manifolds.size() + cut.manifolds.size(); }
+  void cut_manifolds();  // surfaces.cpp
   void find_islands();
   typename Space::Vec rolled_by(std::uint32_t index, const typename Space::Vec& outward,
                                 const typename Space::Vec& point, T time) const;
   void solve_island(IslandSolver<T, Space>& solver, const Islands::Range& island, T dt, Executor* threads);
   IslandBody<T, Space> island_body(std::uint32_t index) const;
   void pass_blows_on(T dt);  // restitution.cpp
+  bool may_bounce(const ContactPair<T>& pair) const;
   bool strike_next(const Islands::Range& range, T slow, T dt);
   void solve_islands(T dt);
   void hold_back(T dt);                      // continuous.cpp

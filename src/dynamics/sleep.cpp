@@ -50,7 +50,10 @@ void SimulationParts<T, Space>::wake_around(std::uint32_t index) {
 template <class T, class Space>
 bool SimulationParts<T, Space>::is_driven(std::uint32_t link) const {
   const ContactPair<T>* pair = contact_of(link);
-  const auto runs = [&](std::uint32_t i) { return !(bodies[i].material.surface_velocity == typename Space::Vec{}); };
+  const auto runs = [&](std::uint32_t i) {
+    return bodies[i].any_material(
+        [](const auto& material) { return !(material.surface_velocity == typename Space::Vec{}); });
+  };
   if (pair) return runs(pair->a) || runs(pair->b);
   const std::vector<JointDrive<T>>& drives = joint_of(link).joint.drives;
   return std::any_of(drives.begin(), drives.end(), [](const JointDrive<T>& d) { return d.velocity_target != T(0); });

@@ -104,21 +104,23 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
       continue;
     }
     const SimulatedBody<T, Space>&body_a = bodies[pair->a], &body_b = bodies[pair->b];
-    const auto belt_of = [&](const SimulatedBody<T, Space>& body, std::uint32_t index) {
-      return rotate(found_at[index].rotation, body.material.surface_velocity);
+    const auto belt_of = [&](const MaterialIn<T, Space>& material, std::uint32_t index) {
+      return rotate(found_at[index].rotation, material.surface_velocity);
     };
-    TouchingBodies<T, Space> touching{
-        a,
-        b,
-        {material_of(*pair), belt_of(body_b, pair->b) - belt_of(body_a, pair->a), least(body_a.size, body_b.size)}};
-    if (touching.between.material.rolling_friction > T(0)) touching.rolling = rolling.of(pair->first_manifold);
-    const auto manifolds = contacts.manifolds_of(*pair);
-    if (manifolds.size() == 1 && manifolds[0].point_count == 1) {
-      const auto& point = contacts.points_of(manifolds[0])[0];
-      touching.between.rolled_a = rolled_by(pair->a, manifolds[0].normal, point.a, dt / T(2));
-      touching.between.rolled_b = rolled_by(pair->b, -manifolds[0].normal, point.b, dt / T(2));
-    }
-    solver.add(touching, manifolds);
+    each_surface(
+        *pair, [&](std::span<const ContactManifold<T, Space>> manifolds, const Sides& sides, std::size_t first) {
+          TouchingBodies<T, Space> touching{a,
+                                            b,
+                                            {sides.combined(), belt_of(*sides.b, pair->b) - belt_of(*sides.a, pair->a),
+                                             least(body_a.size, body_b.size)}};
+          if (touching.between.material.rolling_friction > T(0)) touching.rolling = rolling.of(first);
+          if (manifolds.size() == 1 && manifolds[0].point_count == 1) {
+            const auto& point = contacts.points_of(manifolds[0])[0];
+            touching.between.rolled_a = rolled_by(pair->a, manifolds[0].normal, point.a, dt / T(2));
+            touching.between.rolled_b = rolled_by(pair->b, -manifolds[0].normal, point.b, dt / T(2));
+          }
+          solver.add(touching, manifolds);
+        });
   }
   const StepTime<T> time{dt, usual_step, share};
   solver.choose_sub_steps(contacts.points, time, gravity, settings.sub_steps, settings.most_sub_steps);

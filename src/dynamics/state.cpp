@@ -3,6 +3,7 @@
 // A step depends on the poses and velocities of the bodies, and on the impulses of the last step's contacts. The latter
 // belong to points that the world finds anew where the last update found them: so bodies are put there first. Nothing
 // in a state belongs to the simulation that saved it, so that one with the same bodies and joints may go on from it.
+#include <algorithm>
 #include <string>
 
 #include "dynamics/bit_hash.hpp"
@@ -74,6 +75,26 @@ bool same_joints(const std::vector<JointPlace<T, Space>>& a, const std::vector<J
   return true;
 }
 
+/// Takes the events of a saved step in place of those that finding its contacts gave: a pair that touches within its
+/// margin alone has begun before.
+template <class T, class Space>
+void go_back_to(World<T, Space>& world, std::vector<ContactEvent> events) {
+  const auto& pairs = world.contacts().pairs;
+  const auto gone = [&](ContactEvent& event) {
+    event.pair = ContactEvent::no_pair;
+    if (event.kind == EventKind::end) return false;
+    const IdPair ids{event.a.index, event.b.index};
+    const auto at = std::lower_bound(pairs.begin(), pairs.end(), ids, [](const ContactPair<T>& p, const IdPair& other) {
+      return IdPair{p.a, p.b} < other;
+    });
+    if (at == pairs.end() || at->a != ids.a || at->b != ids.b) return true;
+    event.pair = static_cast<std::uint32_t>(at - pairs.begin());
+    return false;
+  };
+  events.erase(std::remove_if(events.begin(), events.end(), gone), events.end());
+  world.go_back_to(events);
+}
+
 template <class T, class Space>
 void add_bits(BitHash& hash, const SimulationSettings<T, Space>& settings) {
   hash.add(settings.gravity);
@@ -116,6 +137,7 @@ State<T, Space> Simulation<T, Space>::save() const {
   each_point<T, Space>(p.world.contacts(),
                        [&](const SolverPoint<T, Space>& point) { kept.impulses.push_back(point.impulse); });
   kept.rolling = p.rolling.kept();
+  kept.events.assign(p.world.events().begin(), p.world.events().end());
   kept.settings = p.settings;
   kept.last = p.last;
   kept.last_step = p.last_step;
@@ -147,6 +169,7 @@ void Simulation<T, Space>::restore(const State<T, Space>& state) {
     point.impulse = known < kept.impulses.size() ? kept.impulses[known] : typename Space::Vec{};
     ++known;
   });
+  go_back_to<T, Space>(p.world, kept.events);
   put(kept.poses);
   p.bodies = kept.bodies;
   p.joints = kept.joints;
@@ -180,6 +203,10 @@ std::uint64_t Simulation<T, Space>::state_hash() const {
     hash.add(body.free.angular_momentum);
     hash.add(body.spin);
     add_bits(hash, body.material);
+    if (body.pieces) {
+      for (const auto& material : body.pieces->materials) add_bits(hash, material);
+      for (const std::uint32_t place : body.pieces->of_piece) hash.add(place);
+    }
     hash.add(body.force);
     hash.add(body.torque);
     hash.add(body.rested);

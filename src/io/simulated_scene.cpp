@@ -59,8 +59,21 @@ bool same(const Material& a, const Material& b) {
          a.restitution_combine == b.restitution_combine;
 }
 
-bool alike(const Collider& a, const Collider& b) {
-  return a.filter == b.filter && same(a.material.value_or(Material{}), b.material.value_or(Material{}));
+/// The different materials of some colliders, and for each collider the place of its own.
+struct Materials {
+  std::vector<Material> different;
+  std::vector<std::uint32_t> of_collider;
+};
+Materials materials_of(const Scene& scene, const std::vector<std::uint32_t>& colliders) {
+  Materials all;
+  for (const std::uint32_t c : colliders) {
+    const Material own = scene.colliders[c].material.value_or(Material{});
+    const auto known =
+        std::find_if(all.different.begin(), all.different.end(), [&](const Material& m) { return same(m, own); });
+    all.of_collider.push_back(static_cast<std::uint32_t>(known - all.different.begin()));
+    if (known == all.different.end()) all.different.push_back(own);
+  }
+  return all;
 }
 
 template <class T>
@@ -145,7 +158,7 @@ void SimulatedScene<T>::add_part(std::uint32_t body, const std::vector<std::uint
   graze::Body<T> part{Shape<T>(Sphere<T>(T(0))), converted<T>(of.pose)};
   Posed pose = of.pose;
   part.filter = nobody;
-  graze::Material<T> material;
+  const Materials materials = materials_of(scene_, colliders);
   if (colliders.size() == 1) {
     pose = scene_.colliders[colliders[0]].pose;
     part = in_world<T>(scene_, scene_.colliders[colliders[0]], false);
@@ -159,14 +172,16 @@ void SimulatedScene<T>::add_part(std::uint32_t body, const std::vector<std::uint
     all.pose = of.pose;
     part = in_world<T>(scene_, all, false);
   }
-  if (!colliders.empty())
-    if (const auto& m = scene_.colliders[colliders[0]].material) material = in_precision<T>(*m);
   const BodyMotion& motion = *of.motion;
   const Vec3d center = transform(of.pose, *whole.center_of_mass);
   part.linear = converted<T>(motion.linear_velocity + cross(motion.angular_velocity, pose.translation - center));
   part.angular = converted<T>(motion.angular_velocity);
   const Posed to_body = relative(pose, of.pose);
-  const BodyId id = simulation_.add(std::move(part), share_of<T>(whole, to_body, parts), material);
+  std::vector<graze::Material<T>> different;
+  for (const Material& m : materials.different) different.push_back(in_precision<T>(m));
+  if (different.empty()) different.emplace_back();
+  const BodyId id = simulation_.add(std::move(part), share_of<T>(whole, to_body, parts), different[0]);
+  if (different.size() > 1) simulation_.set_materials(id, different, materials.of_collider);
   known_as(body, {id, to_body, {}});
 }
 
@@ -176,8 +191,9 @@ void SimulatedScene<T>::add_moving(std::uint32_t body) {
   for (std::uint32_t c = 0; c < scene_.colliders.size(); ++c) {
     const Collider& collider = scene_.colliders[c];
     if (collider.body != body || collider.trigger) continue;
-    const auto group = std::find_if(groups.begin(), groups.end(),
-                                    [&](const auto& g) { return alike(scene_.colliders[g.front()], collider); });
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
+      return scene_.colliders[g.front()].filter == collider.filter;
+    });
     if (group == groups.end())
       groups.push_back({c});
     else

@@ -26,9 +26,7 @@ T BodyArrays<T, Space>::margin_of(const Shape& shape, const std::optional<T>& ma
 
 template <class T, class Space>
 std::uint32_t BodyArrays<T, Space>::checked(BodyId id) const {
-  if (!contains(id))
-    throw InvalidValue("body", "the handle of a body that is in the world",
-                       std::to_string(id.index) + " of generation " + std::to_string(id.generation));
+  if (!contains(id)) refuse_missing("body", "a body of the world", id);
   return id.index;
 }
 

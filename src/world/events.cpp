@@ -1,5 +1,6 @@
 #include "graze/world/events.hpp"
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -64,6 +65,11 @@ void EventTracker::update(const BodyArrays<T, Space>& bodies, std::span<const Co
   }
   while (from < end) end_one();
   now_.shorten(static_cast<std::size_t>(to - first));
+}
+
+void EventTracker::go_back_to(std::span<const ContactEvent> events) {
+  now_.clear();
+  std::copy(events.begin(), events.end(), now_.extend(events.size()));
 }
 
 #define GRAZE_INSTANTIATE(T, Space)                                                                                    \

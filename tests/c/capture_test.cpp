@@ -177,7 +177,7 @@ TEST(CCapture, ASimulationWithItsStatesRunsAgainToTheSameBits) {
   ASSERT_EQ(graze_simulation_create_d(nullptr, nullptr, &plain), GRAZE_OK);
   EXPECT_EQ(graze_simulation_restore_d(plain, second), GRAZE_INVALID_VALUE);
   EXPECT_EQ(graze_simulation_set_name_d(plain, {0, 0}, "nobody"), GRAZE_INVALID_VALUE);
-  EXPECT_STREQ(graze_last_error(), "id: expected a body of the world, got a body that is not there");
+  EXPECT_STREQ(graze_last_error(), "id: expected a body of the world, got 0 of generation 0, which is not there");
   graze_simulation_destroy_d(plain);
   graze_simulation_destroy_d(simulation);
   for (GrazeStated* state : states) graze_state_destroy_d(state);
@@ -206,7 +206,7 @@ TEST(CCapture, AWorldRunsAgainAndRefusesWhatNoFileHolds) {
   EXPECT_EQ(graze_plane_world_set_name_f(world, ids[1], nullptr), GRAZE_INVALID_VALUE);
   ASSERT_EQ(graze_plane_world_set_name_f(world, ids[1], "disc"), GRAZE_OK);
   const GrazePose2f poses[2] = {{{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}};
-  ASSERT_EQ(graze_plane_world_move_batch_f(world, ids, 0, poses, 0, 2), GRAZE_OK);
+  ASSERT_EQ(graze_plane_world_move_batch_f(world, ids, 0, poses, 0, nullptr, 0, 2), GRAZE_OK);
   ASSERT_EQ(graze_plane_world_update_f(world, 0), GRAZE_OK);
   graze_plane_world_destroy_f(world);
   graze_plane_shape_release_f(disc);

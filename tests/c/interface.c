@@ -302,10 +302,25 @@ static void test_world(void) {
 
   GrazePosed poses[10];
   for (int i = 0; i < 10; ++i) poses[i] = graze_pose_at_place_d(2.0 * i, 0, 0);
-  OK(graze_world_move_batch_d(world, ids, 0, poses, 0, 10));
+  OK(graze_world_move_batch_d(world, ids, 0, poses, 0, NULL, 0, 10));
   OK(graze_world_update_d(world, 0));
   OK(graze_world_events_d(world, &events, &count));
   EXPECT(count == 9 && events[0].kind == GRAZE_EVENT_END && events[0].pair == GRAZE_NO_PAIR);
+
+  // Velocities come along, here between others; one that is refused moves nothing.
+  GrazeVelocityd velocities[20];
+  for (int i = 0; i < 20; ++i) velocities[i] = (GrazeVelocityd){{i, 0, 1}, {0, i, 0}};
+  OK(graze_world_move_batch_d(world, ids, 0, poses, 0, velocities, 2 * sizeof *velocities, 10));
+  OK(graze_world_body_d(world, ids[3], &body));
+  EXPECT(body.linear.x == 6 && body.linear.z == 1 && body.angular.y == 6);
+  graze_shape_release_d(body.shape);
+  GrazePosed elsewhere[2] = {graze_pose_at_place_d(1, 1, 1), graze_pose_at_place_d(2, 2, 2)};
+  velocities[1].angular.z = INFINITY;
+  REFUSED(graze_world_move_batch_d(world, ids, 0, elsewhere, 0, velocities, 0, 2),
+          "velocities[1].angular[2]: expected a finite number, got inf");
+  OK(graze_world_body_d(world, ids[0], &body));
+  EXPECT(body.pose.translation.x == 0 && body.linear.x == 0);
+  graze_shape_release_d(body.shape);
 
   OK(graze_world_set_allow_d(world, never, NULL));
   OK(graze_world_move_d(world, ids[1], &poses[0], NULL));
@@ -317,8 +332,8 @@ static void test_world(void) {
   bool contains;
   OK(graze_world_contains_d(world, ids[2], &contains));
   EXPECT(!contains);
-  EXPECT(graze_world_move_batch_d(world, ids, 0, poses, 0, 10) == GRAZE_INVALID_VALUE);
-  EXPECT(strcmp(graze_last_error(), "ids[2]: expected a body of the world, got a body that is not there") == 0);
+  EXPECT(graze_world_move_batch_d(world, ids, 0, poses, 0, NULL, 0, 10) == GRAZE_INVALID_VALUE);
+  EXPECT(strcmp(graze_last_error(), "ids[2]: expected a body of the world, got 2 of generation 0, which is not there") == 0);
   size_t indices;
   OK(graze_world_counts_d(world, &count, &indices));
   EXPECT(count == 9 && indices == 10);
@@ -511,7 +526,7 @@ static void test_plane_world(void) {
 
   // What is refused names the value and changes nothing.
   const GrazePose2d poses[2] = {graze_plane_pose_d(0, 5, 0), {{0, 7}, {0, 0}}};
-  REFUSED(graze_plane_world_move_batch_d(world, ids, 0, poses, 0, 2),
+  REFUSED(graze_plane_world_move_batch_d(world, ids, 0, poses, 0, NULL, 0, 2),
           "poses[1].rotation: expected a unit vector of cosine and sine, got [0, 0]");
   OK(graze_plane_world_body_d(world, ids[0], &body));
   EXPECT(is_near(body.pose.translation.y, 0.49) && body.filter.category == 1 && !body.fixed);
@@ -599,7 +614,7 @@ static void test_plane_simulation(void) {
   graze_plane_world_destroy_d((GrazePlaneWorldd*)world);
   OK(graze_plane_simulation_remove_d(simulation, id));
   REFUSED(graze_plane_simulation_pose_d(simulation, id, &pose),
-          "id: expected a body of the simulation, got a body that is not there");
+          "id: expected a body of the simulation, got 1 of generation 0, which is not there");
   graze_plane_shape_release_d(ball), graze_plane_shape_release_d(ground);
   graze_plane_simulation_destroy_d(simulation);
   graze_plane_simulation_destroy_d(NULL), graze_plane_state_destroy_d(NULL);

@@ -16,7 +16,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   const { written, answered } = args;
   const release = `graze_${prefix}shape_release_${core.scalar}`;
   /** The number of numbers that a pose in an array has. */
-  const poseNumbers = types.pose.size / core.numberSize;
+  const poseNumbers = types.pose.size / core.numberSize, velocityNumbers = types.velocity.size / core.numberSize;
 
   const idAt = (value, path) => {
     if (value?.index === undefined || value.generation === undefined)
@@ -206,14 +206,16 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         call("move", changed(this), idAt(id, "body"), pose(to, "pose"), v);
       });
     }
-    moveBatch(ids, poses) {
+    moveBatch(ids, poses, velocities) {
       core.frame(() => {
         const { pointer, count } = numbersOf(poses, poseNumbers, "poses");
         if (arrayOf(ids, "ids").length !== count) throw new InvalidValue(`poses: expected ${ids.length} of them, got ${count}`);
+        const moved = velocities === undefined ? { pointer: 0, count } : numbersOf(velocities, velocityNumbers, "velocities");
+        if (moved.count !== count) throw new InvalidValue(`velocities: expected ${count} of them, got ${moved.count}`);
         const size = layout.id.size;
         const first = core.room(Math.max(1, count) * size);
         for (let i = 0; i < count; ++i) core.copy(idAt(ids[i], `ids[${i}]`), first + i * size, size);
-        call("move_batch", changed(this), first, 0, pointer, 0, count);
+        call("move_batch", changed(this), first, 0, pointer, 0, moved.pointer, 0, count);
       });
     }
     setShape(id, shape) {

@@ -94,8 +94,7 @@ py::custom_type_setup collected() {
 /// A body's place in the arrays of its world. Throws `InvalidValue` for one that is gone.
 template <class World>
 std::size_t index_of(const World& world, BodyId id) {
-  if (!world.bodies().contains(id))
-    validate::fail("body", "a body of this world", "one that was removed, or another's");
+  if (!world.bodies().contains(id)) refuse_missing("body", "a body of the world", id);
   return id.index;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "graze/filter.hpp"
@@ -24,6 +25,15 @@ struct BodyId {
   friend constexpr bool operator==(const BodyId&, const BodyId&) = default;
   friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
 };
+
+/// Throws `InvalidValue` for a handle of something that is not there, or not any more: `path` is its place in the call,
+/// `expected` what it should name, as "a body of the world".
+template <class Id>
+[[noreturn]] void refuse_missing(const std::string& path, const char* expected, const Id& id) {
+  throw InvalidValue(path, expected,
+                     std::to_string(id.index) + " of generation " + std::to_string(id.generation) +
+                         ", which is not there");
+}
 
 /// Description of a body to be added.
 template <class T, class Space = graze::Space<T>>

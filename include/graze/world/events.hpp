@@ -34,6 +34,9 @@ class GRAZE_API EventTracker {
   template <class T, class Space = graze::Space<T>>
   void update(const BodyArrays<T, Space>& bodies, std::span<const ContactPair<T>> pairs);
 
+  /// Takes events of an earlier update in place of those of the last one: the next update goes on from them.
+  void go_back_to(std::span<const ContactEvent> events);
+
   /// The events of the last update.
   std::span<const ContactEvent> events() const { return now_.filled(); }
 
