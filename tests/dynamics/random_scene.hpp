@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "graze/plane/vec2.hpp"
 #include "graze/shape/convex_hull.hpp"
 #include "graze/shape/mesh.hpp"
 #include "graze/simulation.hpp"
@@ -16,8 +17,9 @@ namespace graze::testing {
 template <class T>
 class RandomScene {
  public:
-  /// Bodies are `size` across, or little more.
-  RandomScene(Simulation<T>& simulation, unsigned seed) : s_(simulation), random_(seed) {
+  /// Bodies are `size` across, or little more. With `meshes` every third of them is a closed mesh with an inside.
+  RandomScene(Simulation<T>& simulation, unsigned seed, bool meshes = false)
+      : s_(simulation), random_(seed), meshes_(meshes) {
     add_ground();
     add_walls();
     const int count = 6 + static_cast<int>(random_() % 10);
@@ -106,7 +108,39 @@ class RandomScene {
     default: return Box<T>(vector(T(0.3), T(1)));
     }
   }
+  /// A prism over an outline that is seen counter-clockwise from above, `high` and about the origin. `top`: the
+  /// triangles of its upper face.
+  static Mesh<T> prism(const std::vector<plane::Vec2<T>>& outline, const std::vector<typename Mesh<T>::Index>& top,
+                       T high) {
+    const auto n = static_cast<std::uint32_t>(outline.size());
+    std::vector<Vec3<T>> points;
+    for (const T y : {-high / 2, high / 2})
+      for (const auto& p : outline) points.push_back({p.x, y, -p.y});
+    std::vector<typename Mesh<T>::Index> triangles;
+    for (const auto& t : top) {
+      triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+      triangles.push_back({t[0], t[2], t[1]});
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t next = (i + 1) % n;
+      triangles.push_back({i, next, next + n});
+      triangles.push_back({i, next + n, i + n});
+    }
+    return Mesh<T>(std::move(points), std::move(triangles), Sides::both, true);
+  }
+  /// A brick, a wedge, or an angle, which is not convex.
+  Mesh<T> mesh() {
+    const T a = number(T(0.3), T(0.5)), b = number(T(0.3), T(0.5)), high = number(T(0.4), T(0.8));
+    switch (random_() % 3) {
+    case 0: return prism({{-a, -b}, {a, -b}, {a, b}, {-a, b}}, {{0, 1, 2}, {0, 2, 3}}, high);
+    case 1: return prism({{-a, -b}, {a, -b}, {T(0), b}}, {{0, 1, 2}}, high);
+    default: break;
+    }
+    return prism({{-a, -b}, {a, -b}, {a, T(0)}, {T(0), T(0)}, {T(0), b}, {-a, b}},
+                 {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, high);
+  }
   Shape<T> shape() {
+    if (meshes_ && random_() % 3 == 0) return mesh();
     switch (random_() % 8) {
     case 0: {  // a hammer, or an angle
       const Shape<T> handle = Box<T>({T(0.2), T(0.8), T(0.2)}), head = Box<T>({T(0.6), T(0.2), T(0.3)});
@@ -126,6 +160,7 @@ class RandomScene {
 
   Simulation<T>& s_;
   std::mt19937 random_;
+  bool meshes_;
   BodyId ground_;
   std::vector<BodyId> bodies_;
 };

@@ -1,8 +1,8 @@
 // Scenes of random bodies on random ground: they come to rest, nothing passes through anything, energy only falls.
 //
 // How many scenes: GRAZE_TEST_SCENES in the environment, else enough for a run of seconds; a thousand take half a
-// minute. Bodies that move are convex or made of convex pieces: meshes are surfaces, and two surfaces that cross push
-// each other both ways.
+// minute. Bodies that move are convex, made of convex pieces, or closed meshes with an inside: meshes without one are
+// surfaces, and two surfaces that cross push each other both ways.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,11 +31,11 @@ bool is_below_ground(const RandomScene<T>& scene, const Vec3<T>& point) {
 }
 
 template <class T>
-void play(unsigned seed) {
+void play(unsigned seed, bool meshes) {
   SimulationSettings<T> settings;
   settings.gravity = {T(0), static_cast<T>(-g), T(0)};
   Simulation<T> s(settings);
-  const RandomScene<T> scene(s, seed);
+  const RandomScene<T> scene(s, seed, meshes);
   double weight = 0;
   for (const BodyId body : scene.bodies()) weight += static_cast<double>(s.mass(body)) * g;
   // Nothing overlaps at the beginning, so nothing is pushed out that did not fall in before, and every blow and all
@@ -70,12 +70,12 @@ void play(unsigned seed) {
 }
 
 /// Even scenes in float, odd ones in double.
-void play_either(unsigned seed) {
+void play_either(unsigned seed, bool meshes = false) {
   SCOPED_TRACE(seed);
   if (seed % 2 == 0)
-    play<float>(seed);
+    play<float>(seed, meshes);
   else
-    play<double>(seed);
+    play<double>(seed, meshes);
 }
 
 /// Bodies with a rim that slid and fell into valleys of the ground, and once fell through.
@@ -92,6 +92,12 @@ TEST(RandomScenes, BodiesThatTouchDoNotSinkNorRiseForNothing) {
 TEST(RandomScenes, ComeToRest) {
   const int scenes = asked_number("GRAZE_TEST_SCENES", 40);
   for (int i = 0; i < scenes; ++i) play_either(static_cast<unsigned>(i));
+}
+
+/// The same with closed meshes among the bodies that fall.
+TEST(RandomScenes, MeshesComeToRest) {
+  const int scenes = asked_number("GRAZE_TEST_SCENES", 40);
+  for (int i = 0; i < scenes; ++i) play_either(static_cast<unsigned>(i), true);
 }
 
 }  // namespace

@@ -89,6 +89,26 @@ TEST(SampleBodies, MaterialsFriction) {
   }
 }
 
+/// A sled on two skids, each a collider of its own: one is of ice, the other takes half of the weight and brakes by its
+/// own friction. Below one body they are one solid, which does not give.
+TEST(SampleBodies, CollidersOfOneBodyKeepTheirMaterials) {
+  PhysicsScene scene;
+  const Json skid{{"shape", scene.box(2, 0.2, 0.2)}};
+  add_floor(scene);
+  const auto material = [&](double friction) {
+    return scene.material(
+        {{"staticFriction", friction}, {"dynamicFriction", friction}, {"frictionCombine", "minimum"}});
+  };
+  const auto ice = material(0), felt = material(0.3);
+  const Json motion{{"mass", 3}, {"inertiaDiagonal", {0, 0, 0}}, {"linearVelocity", {3, 0, 0}}};
+  const auto sled = scene.node("sled", Json{{"motion", motion}}, {0, 0.1, 0});
+  scene.put_below(sled, scene.node("ice", with(solid(skid), "physicsMaterial", ice), {0, 0, -0.5}));
+  scene.put_below(sled, scene.node("felt", with(solid(skid), "physicsMaterial", felt), {0, 0, 0.5}));
+  const Played played(scene, 1);
+  EXPECT_NEAR(played.end("sled").linear.x, 3 - 0.15 * g, 0.03);
+  EXPECT_NEAR(played.end("sled").linear.z, 0, 0.01);
+}
+
 /// Balls that fall 2 m rebound to e^2 of it.
 TEST(SampleBodies, MaterialsRestitution) {
   PhysicsScene scene;

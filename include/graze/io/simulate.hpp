@@ -4,9 +4,9 @@
 // Nodes that the file's first animation moves follow it. A scene that cannot be simulated (a mass of a body without
 // volume, a restitution above 1) throws `InvalidValue` that names the node; nothing is played then.
 //
-// A body whose colliders differ in filter or material is held together as parts, each with its share of the mass about
-// the same centre, so that the whole has the mass and inertia that it should have. Triggers move along with their body,
-// push nothing, and report what comes in and leaves.
+// Colliders of one body keep their materials. A body whose colliders differ in filter is held together as parts, each
+// with its share of the mass about the same centre, so that the whole has the mass and inertia that it should have.
+// Triggers move along with their body, push nothing, and report what comes in and leaves.
 #pragma once
 
 #include <functional>
