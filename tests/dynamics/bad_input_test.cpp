@@ -214,7 +214,27 @@ TYPED_TEST(BadInput, WhatIsGone) {
     this->refuses("body", [&] { s.apply_force(id, In::zero); });
     this->refuses("body", [&] { s.apply_impulse(id, In::zero, In::zero); });
     this->refuses("body", [&] { s.set_material(id, {}); });
+    this->refuses("body", [&] { s.set_materials(id, {}, {}); });
   }
+  // One wording, whatever is missing: its handle is named.
+  const auto words = [&](const auto& call) {
+    try {
+      call();
+    } catch (const InvalidValue& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string handle = std::to_string(gone.index) + " of generation " + std::to_string(gone.generation);
+  EXPECT_EQ(words([&] { s.wake(gone); }),
+            "body: expected a body of the simulation, got " + handle + ", which is not there");
+  World<typename TestFixture::T, TypeParam> world;
+  EXPECT_EQ(words([&] { world.remove(gone); }),
+            "body: expected a body of the world, got " + handle + ", which is not there");
+  EXPECT_EQ(words([&] {
+              s.remove(JointId{7, 2});
+            }),
+            "joint: expected a joint of the simulation, got 7 of generation 2, which is not there");
 }
 
 TYPED_TEST(BadInput, Settings) {
