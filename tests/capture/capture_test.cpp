@@ -290,7 +290,7 @@ std::string of_version(char version, std::string file) {
 }
 
 TEST(Capture, VersionsBeforeAreRead) {
-  for (const char version : {2, 3}) {
+  for (const char version : {'\2', '\3'}) {
     const ReplayReport report = replayed(of_version(version, random_simulation<float>(2, 10)));
     EXPECT_EQ(report.frames, 10u);
     EXPECT_FALSE(report.difference);
