@@ -177,8 +177,8 @@ GRAZE_DECLARE_KERNEL(
     /// The axis of one pair of boxes, and its points where it is within its margin, which the result says. Also takes
     /// irregular boxes, whose points are not known.
     template <class T> bool box_contact(const PairRef<T>& pair, BoxReferenceAxis<T>& choice, ContactSlots<T>& found);
-    /// The contacts of pairs that `is_sphere_capsule_pair` names, without rounding radii beside their own, capsules
-    /// untapered and with a length. Up to `bundled(count)` entries may be written; `sides` lists the capsules side by
+    /// The contacts of pairs with `one_contact_kernels`, without rounding radii beside their own, capsules untapered
+    /// and with a length. Up to `bundled(count)` entries may be written; `sides` lists the capsules side by
     /// side.
     template <class A, class B, class T> void sphere_capsule_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings,
@@ -197,8 +197,7 @@ GRAZE_DECLARE_KERNEL(
     /// all without rounding.
     template <class A, class T> void half_space_slots(const PairRef<T>* pairs, std::size_t count,
                                                       HalfSpaceBlock<T>& points);
-    /// The distances of pairs in rows: those that `is_sphere_capsule_pair` names, and balls, capsules, boxes and
-    /// triangles with half-spaces. `turned`: A is the caller's second shape. `bundled(count)` rows are read. Returns
+    /// The distances of pairs with `closed_form_rows`, in rows. `turned`: A is the caller's second shape. `bundled(count)` rows are read. Returns
     /// the number of pairs without an answer, whose indices are written to `unknown`.
     template <class A, class B, class T> std::uint32_t row_distances(const PairRows<T>& rows, std::size_t count,
                                                                      bool turned, Distance<T>* distances,

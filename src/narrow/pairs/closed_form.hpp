@@ -132,27 +132,6 @@ Rounded<TriangleCore<T>, T> rounded_core(const Triangle<T>& triangle, T rounding
   return {{{triangle.point(0), triangle.point(1), triangle.point(2)}}, rounding};
 }
 
-/// Applies the macro `f(A, B)` to the pairs that `sphere_capsule_pair` answers for: spheres and untapered capsules with
-/// each other, and spheres with boxes.
-#define GRAZE_FOR_ROUND_PAIRS(f) f(Sphere, Sphere) f(Sphere, Capsule) f(Sphere, Box) f(Capsule, Capsule)
-
-template <class A, class B>
-inline constexpr bool is_sphere_capsule_pair = false;
-// NOLINTNEXTLINE(bugprone-macro-parentheses): A and B are templates
-#define GRAZE_ROUND_PAIR(A, B)                                                                                         \
-  template <class T>                                                                                                   \
-  inline constexpr bool is_sphere_capsule_pair<A<T>, B<T>> = true;
-GRAZE_FOR_ROUND_PAIRS(GRAZE_ROUND_PAIR)
-#undef GRAZE_ROUND_PAIR
-
-/// Pairs of spheres and untapered capsules with triangles.
-template <class A, class B>
-inline constexpr bool is_sphere_capsule_and_triangle = false;
-template <class T>
-inline constexpr bool is_sphere_capsule_and_triangle<Sphere<T>, Triangle<T>> = true;
-template <class T>
-inline constexpr bool is_sphere_capsule_and_triangle<Capsule<T>, Triangle<T>> = true;
-
 /// The distance of the rounded shapes in the world, from that of the cores in A's frame.
 template <class T>
 Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {

@@ -33,12 +33,7 @@ Distance<T> distance_in_a(const A& core_a, T radius_a, const Pose<T>& pose_a, co
 template <class A, class B, class T>
 std::optional<Distance<T>> closed_form_distance(const InPlace<A, T>& a, const InPlace<B, T>& b) {
   if (!has_core(a.shape) || !has_core(b.shape)) return std::nullopt;
-  if constexpr (is_sphere_capsule_pair<A, B>) {
-    const auto pair =
-        sphere_capsule_pair(rounded_core(a.shape, a.rounding()), a.pose, rounded_core(b.shape, b.rounding()), b.pose);
-    const CoreDistance<T> d = pair.in_world(pair.core(pair.nearest()));
-    return Distance<T>{d.distance, d.normal, d.a, d.b};
-  } else if constexpr (requires { core_distance(core_of(a.shape), moved(core_of(b.shape), b.pose)); }) {
+  if constexpr (requires { core_distance(core_of(a.shape), moved(core_of(b.shape), b.pose)); }) {
     return detail::distance_in_a(core_of(a.shape), a.radius(), a.pose, core_of(b.shape), b.radius(), b.pose);
   } else {
     return mirrored(detail::distance_in_a(core_of(b.shape), b.radius(), b.pose, core_of(a.shape), a.radius(), a.pose));

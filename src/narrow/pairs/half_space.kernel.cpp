@@ -1,3 +1,5 @@
+// The points of shapes on half-spaces, a bundle at a time.
+#include "narrow/batch/kernel_instances.hpp"
 #include "narrow/batch/pair_bundle.hpp"
 #include "narrow/pairs/box_half_space.hpp"
 #include "narrow/pairs/sphere_capsule_half_space.hpp"
@@ -28,13 +30,17 @@ template <class A, class T>
   }
 }
 
-#define GRAZE_INSTANTIATE(A)                                                                                           \
-  template void half_space_slots<A<float>>(const PairRef<float>*, std::size_t, HalfSpaceBlock<float>&);                \
-  template void half_space_slots<A<double>>(const PairRef<double>*, std::size_t, HalfSpaceBlock<double>&);
-GRAZE_INSTANTIATE(Sphere)
-GRAZE_INSTANTIATE(Capsule)
-GRAZE_INSTANTIATE(Box)
-GRAZE_INSTANTIATE(Triangle)
-#undef GRAZE_INSTANTIATE
+/// The kernel for the pairs of the list that have it.
+template <class T>
+struct HalfSpaceSlots {
+  static constexpr KernelInstances<void(const PairRef<T>*, std::size_t, HalfSpaceBlock<T>&)> slots{[]<class P>() {
+    if constexpr (HasHalfSpaceKernels<P>)
+      return &half_space_slots<typename P::template A<T>, T>;
+    else
+      return nullptr;
+  }};
+};
+template struct HalfSpaceSlots<float>;
+template struct HalfSpaceSlots<double>;
 
 }  // namespace graze::GRAZE_ISA

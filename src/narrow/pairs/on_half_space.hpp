@@ -55,6 +55,7 @@ struct OnHalfSpace {
   static constexpr bool has_slots = requires(const Kind<T>& shape) {
     points_together(shape, T());
   };
+  static constexpr bool closed_form_rows = has_slots<float>, half_space_kernels = has_slots<float>;
 
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<Kind<T>, T>& a, const InPlace<HalfSpace<T>, T>& b) {

@@ -9,6 +9,16 @@ namespace graze {
 
 template <template <class> class KindA, template <class> class KindB>
 struct OneContactPair : ClosedFormPair<KindA, KindB> {
+  static constexpr bool closed_form_rows = true, one_contact_kernels = true;
+
+  template <class T>
+  static std::optional<Distance<T>> distance(const InPlace<KindA<T>, T>& a, const InPlace<KindB<T>, T>& b) {
+    if (!has_core(a.shape) || !has_core(b.shape)) return std::nullopt;
+    const auto pair =
+        sphere_capsule_pair(rounded_core(a.shape, a.rounding()), a.pose, rounded_core(b.shape, b.rounding()), b.pose);
+    const CoreDistance<T> d = pair.in_world(pair.core(pair.nearest()));
+    return Distance<T>{d.distance, d.normal, d.a, d.b};
+  }
   template <class T, class M>
   static std::optional<T> contacts(const InPlace<KindA<T>, T>& a, const InPlace<KindB<T>, T>& b, T margin,
                                    M& manifold) {

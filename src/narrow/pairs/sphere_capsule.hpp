@@ -40,7 +40,7 @@ struct SphereCapsule : OneContactPair<Sphere, Capsule> {
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<Sphere<T>, T>& sphere,
                                              const InPlace<Capsule<T>, T>& capsule) {
-    if (!capsule.shape.tapered()) return closed_form_distance(sphere, capsule);
+    if (!capsule.shape.tapered()) return OneContactPair::distance(sphere, capsule);
     return tapered_distance(sphere, capsule);
   }
 

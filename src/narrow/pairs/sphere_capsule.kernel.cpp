@@ -1,4 +1,5 @@
 // Pairs of spheres and capsules, and of balls with boxes, a bundle at a time.
+#include "narrow/batch/kernel_instances.hpp"
 #include "narrow/batch/pair_bundle.hpp"
 #include "narrow/batch/point_contacts.hpp"
 #include "narrow/pairs/segment_lanes.hpp"
@@ -26,12 +27,18 @@ template <class A, class B, class T>
   }
 }
 
-#define GRAZE_INSTANTIATE(A, B)                                                                                        \
-  template void sphere_capsule_contacts<A<float>, B<float>>(const PairRef<float>*, std::size_t, PointContact<float>*,  \
-                                                            Meeting*, SegmentContact<float>*);                         \
-  template void sphere_capsule_contacts<A<double>, B<double>>(                                                         \
-      const PairRef<double>*, std::size_t, PointContact<double>*, Meeting*, SegmentContact<double>*);
-GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
-#undef GRAZE_INSTANTIATE
+/// The kernel for the pairs of the list that have it.
+template <class T>
+struct OneContacts {
+  static constexpr KernelInstances<void(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*, SegmentContact<T>*)>
+      contacts{[]<class P>() {
+        if constexpr (HasOneContactKernels<P>)
+          return &sphere_capsule_contacts<typename P::template A<T>, typename P::template B<T>, T>;
+        else
+          return nullptr;
+      }};
+};
+template struct OneContacts<float>;
+template struct OneContacts<double>;
 
 }  // namespace graze::GRAZE_ISA

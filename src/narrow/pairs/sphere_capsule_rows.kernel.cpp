@@ -1,5 +1,6 @@
 // Pairs of spheres and capsules, and of balls with boxes, in rows.
 #include "narrow/batch/sphere_capsule_rows.hpp"
+#include "narrow/batch/kernel_instances.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -25,14 +26,18 @@ template <class A, class B, class T>
   all_found = counts;
 }
 
-#define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
-  template void sphere_capsule_row_contacts<A<T>, B<T>>(const PairRows<T>&, std::size_t, T, bool,                      \
-                                                        const ContactRows<T>&, RowCounts&);
-#define GRAZE_INSTANTIATE(A, B)                                                                                        \
-  GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
-  GRAZE_INSTANTIATE_FOR(A, B, double)
-GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
-#undef GRAZE_INSTANTIATE
-#undef GRAZE_INSTANTIATE_FOR
+/// The kernel for the pairs of the list that have it.
+template <class T>
+struct OneContactRows {
+  static constexpr KernelInstances<void(const PairRows<T>&, std::size_t, T, bool, const ContactRows<T>&, RowCounts&)>
+      contacts{[]<class P>() {
+        if constexpr (HasOneContactKernels<P>)
+          return &sphere_capsule_row_contacts<typename P::template A<T>, typename P::template B<T>, T>;
+        else
+          return nullptr;
+      }};
+};
+template struct OneContactRows<float>;
+template struct OneContactRows<double>;
 
 }  // namespace graze::GRAZE_ISA
