@@ -43,7 +43,6 @@ template <class A, class B, class T>
                                                const Lanes<T>& weight, PointContact<T>* contacts, Meeting* meetings) {
   using S = Lanes<T>;
   using Whole = typename S::BitVector;
-  constexpr bool balls = std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>;
   const auto is = [](Meeting one) { return S(static_cast<T>(one)); };
   S touching = select(c.known == S(0), is(Meeting::lying), is(Meeting::touching));
   if constexpr (std::is_same_v<B, Triangle<T>>) touching = select(c.known < S(0), is(Meeting::unknown), touching);
@@ -52,7 +51,7 @@ template <class A, class B, class T>
   const Whole place = __builtin_convertvector(feature_place(c.part_a, c.part_b).v, Whole);
   std::uint32_t features[lanes_of<T>];
   for (std::size_t k = 0; k < lanes_of<T>; ++k)
-    features[k] = balls ? ball_feature : round_feature_ids<B, T>().of[static_cast<std::size_t>(place[k])];
+    features[k] = feature_ids_with(static_cast<const B*>(nullptr)).of[static_cast<std::size_t>(place[k])];
   put_all(c.at, features, weight, contacts);
   return meeting;
 }

@@ -22,27 +22,14 @@ template <class T, std::size_t size>
   }
 }
 
-/// The feature numbers of A and B together.
-template <class A, class B, class T>
-[[gnu::always_inline]] inline typename Lanes<T>::BitVector features_of(const RoundContact<Lanes<T>>& c) {
-  using Whole = typename Lanes<T>::BitVector;
-  const auto of_a = [&]() __attribute__((always_inline)) {
-    if constexpr (std::is_same_v<A, Sphere<T>>)
-      return Whole{} + static_cast<typename Lanes<T>::Bits>(vertex_feature(0));
-    else
-      return named<T>(round_part_names.of, c.part_a);
-  };
-  const auto of_b = [&]() __attribute__((always_inline)) {
-    if constexpr (std::is_same_v<B, Sphere<T>>)
-      return Whole{} + static_cast<typename Lanes<T>::Bits>(vertex_feature(0));
-    else if constexpr (std::is_same_v<B, Box<T>>)
-      return named<T>(box_features.of, c.part_b);
-    else if constexpr (std::is_same_v<B, Triangle<T>>)
-      return named<T>(triangle_part_names.of, c.part_b);
-    else
-      return named<T>(round_part_names.of, c.part_b);
-  };
-  return of_a() << 16 | of_b();
+/// The features of parts of the shapes of a kind, by lane; a ball has one part.
+template <class C, class T>
+[[gnu::always_inline]] inline typename Lanes<T>::BitVector features_of(const C* kind, const Lanes<T>& parts) {
+  return named<T>(part_names_of(kind), parts);
+}
+template <class T>
+[[gnu::always_inline]] inline typename Lanes<T>::BitVector features_of(const Sphere<T>*, const Lanes<T>&) {
+  return typename Lanes<T>::BitVector{} + static_cast<typename Lanes<T>::Bits>(vertex_feature(0));
 }
 
 /// Writes the lanes that hold a pair, the first of which is the `first`-th of `count`, and adds to the counts.
@@ -56,12 +43,12 @@ put_rows(const RowBundle<A, B, T>& p, const RoundContact<Lanes<T>>& c, const Lan
   const std::uint32_t filled = filled_lanes<T>(count - first),
                       near = Chosen<T>::at_most(c.at.distance, S(margin)).bits() & filled;
   std::uint32_t touching = near, unknown = 0;
-  if constexpr (!std::is_same_v<A, Sphere<T>> || !std::is_same_v<B, Sphere<T>>) {
+  if constexpr (!always_one_point<A, B>) {
     const std::uint32_t regular = bits_of(p.regular());
     touching &= Chosen<T>::not_less(c.known, S(1)).bits() & regular;
     unknown = ~regular & filled;
     std::uint32_t others = near & regular & ~touching;
-    if constexpr (std::is_same_v<A, Capsule<T>>) {
+    if constexpr (lies_on_sides<A>) {
       const std::uint32_t lying = others & Chosen<T>::not_less(c.known, S(0)).bits();
       if (lying != 0) {
         put_lying(lying, to.sides + counts.sides);
@@ -71,7 +58,10 @@ put_rows(const RowBundle<A, B, T>& p, const RoundContact<Lanes<T>>& c, const Lan
     }
     unknown |= others;
   }
-  LaneContacts<T> found{c.at, features_of<A, B, T>(c), weight};
+  LaneContacts<T> found{c.at,
+                        features_of(static_cast<const A*>(nullptr), c.part_a) << 16 |
+                            features_of(static_cast<const B*>(nullptr), c.part_b),
+                        weight};
   if (turned) found = found.mirrored();
   put(found, touching, unknown, first, least(lanes, count - first), to, counts);
 }

@@ -25,8 +25,7 @@ struct CapsuleTriangle {
   static std::optional<T> contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
                                    M& manifold) {
     if (!has_untapered_side(a.shape)) return std::nullopt;
-    return contact_of<Triangle<T>>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose), margin,
-                                   manifold);
+    return contact_of(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose), margin, manifold);
   }
   template <class T, class M>
   static std::optional<T> more_contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,

@@ -39,7 +39,7 @@ struct OneContactPair : ClosedFormPair<KindA, KindB> {
   }
   template <class T>
   static const std::uint32_t* features() {
-    return round_feature_ids<KindB<T>, T>().of;
+    return feature_ids_with(static_cast<const KindB<T>*>(nullptr)).of;
   }
   template <class T, class Sink>
   static void visit_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, Sink& sink) {

@@ -14,11 +14,9 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const RoundContact<S> c = round_contact(p.a, p.pose_a, p.b, p.pose_b, p.margin);
-    S weight(T(0.5));
-    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
-      weight = ball_weight(p.a.radius, p.b.radius);
+    const S weight = contact_weight(p.a, p.b);
     const S meeting = put_all<A, B>(c, p.margin, weight, contacts + first, meetings + first);
-    if constexpr (std::is_same_v<A, Capsule<T>>) {
+    if constexpr (lies_on_sides<A>) {
       const std::uint32_t lying = lying_lanes<T>(meeting, p.count);
       if (lying == 0) continue;
       put_sides(side_contact(p.a, p.pose_a, p.b, p.pose_b, c.at, p.margin), lying, sides);

@@ -208,14 +208,29 @@ SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S
   return found;
 }
 
-/// The features of two balls. `ball_weight` is the position of the radius-weighted point between their points; other
-/// pairs have the middle.
-inline constexpr std::uint32_t ball_feature = feature_id(vertex_feature(0), vertex_feature(0));
-template <class S>
-S ball_weight(const S& radius_a, const S& radius_b) {
-  const S sum = radius_a + radius_b;
-  return select(sum > S(0), radius_a / select(sum > S(0), sum, S(1)), S(0.5f));
+/// The position of a contact between its point on A and that on B: the middle, or for two balls the radius-weighted
+/// point.
+template <class A, class B, class S>
+S contact_weight(const Rounded<A, S>&, const Rounded<B, S>&) {
+  return S(0.5f);
 }
+template <class S>
+S contact_weight(const Rounded<PointCore<S>, S>& a, const Rounded<PointCore<S>, S>& b) {
+  const S sum = a.radius + b.radius;
+  return select(sum > S(0), a.radius / select(sum > S(0), sum, S(1)), S(0.5f));
+}
+
+/// Whether shapes of a kind may touch others with their sides, in two points that `side_contact` finds.
+template <class C>
+inline constexpr bool lies_on_sides = false;
+template <class T>
+inline constexpr bool lies_on_sides<Capsule<T>> = true;
+
+/// Whether every pair of two kinds has a single point of contact, whatever the shapes.
+template <class A, class B>
+inline constexpr bool always_one_point = false;
+template <class T>
+inline constexpr bool always_one_point<Sphere<T>, Sphere<T>> = true;
 
 /// The features of a sphere or capsule with another shape: those of the parts i and j are at index 54 i + j. Not
 /// inline: kernels of different instruction sets share nothing.
@@ -230,9 +245,18 @@ struct RoundFeatureIds {
 };
 static constexpr RoundFeatureIds ids_with_round(round_features), ids_with_box(box_features.of),
     ids_with_triangle(triangle_features);
-template <class B, class T>
-constexpr const RoundFeatureIds& round_feature_ids() {
-  return std::is_same_v<B, Box<T>> ? ids_with_box : std::is_same_v<B, Triangle<T>> ? ids_with_triangle : ids_with_round;
+/// The features of a sphere or capsule with a shape of the pointer's kind.
+template <class C>
+constexpr const RoundFeatureIds& feature_ids_with(const C*) {
+  return ids_with_round;
+}
+template <class T>
+constexpr const RoundFeatureIds& feature_ids_with(const Box<T>*) {
+  return ids_with_box;
+}
+template <class T>
+constexpr const RoundFeatureIds& feature_ids_with(const Triangle<T>*) {
+  return ids_with_triangle;
 }
 /// Features of the parts of one shape, in a table that fits in registers.
 template <std::size_t room>
@@ -245,6 +269,19 @@ struct PartNames {
   }
 };
 static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);
+/// The features of the parts of a shape of the pointer's kind.
+template <class C>
+constexpr const auto& part_names_of(const C*) {
+  return round_part_names.of;
+}
+template <class T>
+constexpr const auto& part_names_of(const Box<T>*) {
+  return box_features.of;
+}
+template <class T>
+constexpr const auto& part_names_of(const Triangle<T>*) {
+  return triangle_part_names.of;
+}
 
 template <class T, class M>
 std::optional<T> put_sides(const SegmentContact<T>& found, const RoundFeatureIds& features, M& manifold) {
@@ -280,10 +317,8 @@ std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T m
   put(at.a, point.a);
   put(at.b, point.b);
   point.distance = at.distance;
-  point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
-  point.weight = T(0.5);
-  if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
-    point.weight = ball_weight(of_a.radius, of_b.radius);
+  point.feature = feature_ids_with(&b.shape).of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
+  point.weight = contact_weight(of_a, of_b);
   if (found.known == T(0)) return std::nullopt;
   return at.distance;
 }

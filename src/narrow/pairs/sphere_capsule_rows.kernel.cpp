@@ -13,13 +13,11 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += lanes) {
     const RowBundle<A, B, T> p(rows, first);
     const RoundContact<S> c = round_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, S(margin));
-    S weight(T(0.5));
-    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
-      weight = ball_weight(p.a.shapes.radius, p.b.shapes.radius);
+    const S weight = contact_weight(p.a.shapes, p.b.shapes);
     put_rows(
         p, c, weight, margin, turned, first, count, to,
         counts, [&](std::uint32_t lying, SegmentContact<T> * sides) __attribute__((always_inline)) {
-          if constexpr (std::is_same_v<A, Capsule<T>>)
+          if constexpr (lies_on_sides<A>)
             put_sides(side_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, c.at, S(margin)), lying, sides);
         });
   }

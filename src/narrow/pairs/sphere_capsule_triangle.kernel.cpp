@@ -113,7 +113,7 @@ template <class A, class T>
     const Pairs p(pairs + first, count - first);
     const auto c = contacts_of<T>(p.a, p.pose_a, p.b, p.pose_b, p.margin, p.count);
     const Lanes<T> meeting = put_all<A, Triangle<T>>(c, p.margin, Lanes<T>(T(0.5)), contacts + first, meetings + first);
-    if constexpr (std::is_same_v<A, Capsule<T>>) {
+    if constexpr (lies_on_sides<A>) {
       const std::uint32_t lying = lying_lanes<T>(meeting, p.count);
       if (lying == 0) continue;
       put_lying(p.a, p.pose_a, p.b, p.pose_b, c, p.margin, lying, sides);
@@ -133,7 +133,7 @@ template <class A, class T>
     put_rows(
         p, c, Lanes<T>(T(0.5)), margin, turned, first, count, to,
         counts, [&](std::uint32_t lying, SegmentContact<T> * sides) __attribute__((always_inline)) {
-          if constexpr (std::is_same_v<A, Capsule<T>>)
+          if constexpr (lies_on_sides<A>)
             put_lying(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, c, Lanes<T>(margin), lying, sides);
         });
   }

@@ -25,7 +25,7 @@ RoundContact<S> round_triangle_contact(const Pair& pair, const S& limit) {
 
 /// The contact of a single pair. Nothing where the answer is incomplete; where there may be two points, the manifold
 /// then holds the closest points.
-template <class B, class T, class Pair, class M>
+template <class T, class Pair, class M>
 std::optional<T> contact_of(const Pair& pair, T margin, M& manifold) {
   if (!pair.known()) return std::nullopt;
   const auto found = round_triangle_contact(pair, before_rounding<T>(static_cast<double>(margin)));
@@ -34,7 +34,7 @@ std::optional<T> contact_of(const Pair& pair, T margin, M& manifold) {
   if (std::is_same_v<M, Manifold<T>> || distance <= margin) put(converted<T>(at.normal), manifold.normal);
   if (distance <= margin) {
     const std::uint32_t feature =
-        round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
+        ids_with_triangle.of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
     ContactPoint<T>& point = manifold.points.emplace_back();
     put(converted<T>(at.a), point.a);
     put(converted<T>(at.b), point.b);

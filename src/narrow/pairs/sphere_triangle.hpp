@@ -22,8 +22,7 @@ struct SphereTriangle {
   template <class T, class M>
   static std::optional<T> contacts(const InPlace<Sphere<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
                                    M& manifold) {
-    return contact_of<Triangle<T>>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose), margin,
-                                   manifold);
+    return contact_of(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose), margin, manifold);
   }
 
   template <class T>
