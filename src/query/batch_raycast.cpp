@@ -16,56 +16,88 @@ using rays::BlockHits;
 using rays::BlockShape;
 using rays::RayBlock;
 
-/// The shape in the form of the kernels; `none` for shapes without a closed form there.
-template <class T>
-BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
-  BlockShape out;
-  out.both_sides = back == BackFaces::hit;
-  const auto margin = static_cast<double>(shape.rounding());
-  const auto put = [&](std::size_t i, const Vec3<T>& p) {
-    for (std::size_t k = 0; k < 3; ++k) out.points[i][k] = static_cast<double>(p[k]);
-  };
+/// The shapes in the form of the kernels, of a rounding radius; `none` for those without a closed form there.
+class BlockShapeOf {
+ public:
+  BlockShapeOf(double rounding, BackFaces back) : rounding_(rounding) { shape_.both_sides = back == BackFaces::hit; }
+
+  template <class C>
+  BlockShape operator()(const C& concrete) && {
+    take(concrete);
+    return shape_;
+  }
+
+ private:
+  template <class C>
+  void take(const C&) {}
+  template <class T>
+  void take(const Sphere<T>& sphere) {
+    put(0, sphere.center());
+    shape_.radius = static_cast<double>(sphere.radius()) + rounding_;
+    if (shape_.radius > 0) shape_.kind = BlockShape::ball;
+  }
+  template <class T>
+  void take(const Capsule<T>& capsule) {
+    put_balls<T>({T(0), -capsule.half_height(), T(0)}, capsule.radius_bottom(), {T(0), capsule.half_height(), T(0)},
+                 capsule.radius_top());
+  }
+  template <class T>
+  void take(const LineSegment<T>& segment) {
+    put_balls<T>(segment.point(0), T(0), segment.point(1), T(0));
+  }
+  template <class T>
+  void take(const Cylinder<T>& cylinder) {
+    put(0, Vec3<T>{T(0), cylinder.half_height(), T(0)});
+    shape_.radius = static_cast<double>(cylinder.radius_bottom());
+    shape_.other_radius = static_cast<double>(cylinder.radius_top());
+    if (rounding_ == 0 && (shape_.radius > 0 || shape_.other_radius > 0)) shape_.kind = BlockShape::frustum;
+  }
+  template <class T>
+  void take(const Ellipsoid<T>& ellipsoid) {
+    const Vec3<T>& radii = ellipsoid.radii();
+    put(0, radii);
+    if (rounding_ == 0 && least(radii.x, least(radii.y, radii.z)) > T(0)) shape_.kind = BlockShape::ellipsoid;
+  }
+  template <class T>
+  void take(const HalfSpace<T>&) {
+    shape_.radius = rounding_;
+    shape_.kind = BlockShape::half_space;
+  }
+  template <class T>
+  void take(const Triangle<T>& triangle) {
+    for (std::size_t i = 0; i < 3; ++i) put(i, triangle.point(i));
+    if (rounding_ == 0) shape_.kind = BlockShape::triangle;
+  }
+
+  template <class T>
+  void put(std::size_t i, const Vec3<T>& p) {
+    for (std::size_t k = 0; k < 3; ++k) shape_.points[i][k] = static_cast<double>(p[k]);
+  }
   // Cases of `hit_balls`.
-  const auto put_balls = [&](const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
+  template <class T>
+  void put_balls(const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
     const Vec3d between = converted<double>(b) - converted<double>(a);
-    const double radius_a = static_cast<double>(core_a) + margin, radius_b = static_cast<double>(core_b) + margin;
+    const double radius_a = static_cast<double>(core_a) + rounding_, radius_b = static_cast<double>(core_b) + rounding_;
     const bool one = length(between) <= std::abs(radius_a - radius_b) || a == b, first = radius_a >= radius_b;
     put(0, one && !first ? b : a);
     put(1, b);
-    out.radius = one && !first ? radius_b : radius_a;
-    out.other_radius = radius_b;
-    if (radius_a > 0 || radius_b > 0) out.kind = one ? BlockShape::ball : BlockShape::ball_cone;
-  };
-  shape.visit([&](const auto& c) {
-    using C = std::decay_t<decltype(c)>;
-    if constexpr (std::is_same_v<C, Sphere<T>>) {
-      put(0, c.center());
-      out.radius = static_cast<double>(c.radius()) + margin;
-      if (out.radius > 0) out.kind = BlockShape::ball;
-    } else if constexpr (std::is_same_v<C, Capsule<T>>) {
-      put_balls({T(0), -c.half_height(), T(0)}, c.radius_bottom(), {T(0), c.half_height(), T(0)}, c.radius_top());
-    } else if constexpr (std::is_same_v<C, LineSegment<T>>) {
-      put_balls(c.point(0), T(0), c.point(1), T(0));
-    } else if constexpr (std::is_same_v<C, Cylinder<T>>) {
-      put(0, {T(0), c.half_height(), T(0)});
-      out.radius = static_cast<double>(c.radius_bottom());
-      out.other_radius = static_cast<double>(c.radius_top());
-      if (margin == 0 && (out.radius > 0 || out.other_radius > 0)) out.kind = BlockShape::frustum;
-    } else if constexpr (std::is_same_v<C, Ellipsoid<T>>) {
-      const Vec3<T>& radii = c.radii();
-      put(0, radii);
-      if (margin == 0 && least(radii.x, least(radii.y, radii.z)) > T(0)) out.kind = BlockShape::ellipsoid;
-    } else if constexpr (std::is_same_v<C, HalfSpace<T>>) {
-      out.radius = margin;
-      out.kind = BlockShape::half_space;
-    } else if constexpr (std::is_same_v<C, Triangle<T>>) {
-      for (std::size_t i = 0; i < 3; ++i) put(i, c.point(i));
-      if (margin == 0) out.kind = BlockShape::triangle;
-    }
+    shape_.radius = one && !first ? radius_b : radius_a;
+    shape_.other_radius = radius_b;
+    if (radius_a > 0 || radius_b > 0) shape_.kind = one ? BlockShape::ball : BlockShape::ball_cone;
+  }
+
+  const double rounding_;
+  BlockShape shape_;
+};
+
+template <class T>
+BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
+  return shape.visit([&](const auto& concrete) {
+    BlockShape out = BlockShapeOf(static_cast<double>(shape.rounding()), back)(concrete);
     out.around = rays::infinity;
-    if constexpr (BoundedConvex<C>) out.around = ball_around(c, shape.rounding());
+    if constexpr (BoundedConvex<std::decay_t<decltype(concrete)>>) out.around = ball_around(concrete, shape.rounding());
+    return out;
   });
-  return out;
 }
 
 template <class T>

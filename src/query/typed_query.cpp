@@ -136,27 +136,33 @@ contacts(const A<T>& a, const Pose<T>& pose_a, const B<T>& b, const Pose<T>& pos
   return manifold;
 }
 
-#define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
-  template bool overlap(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&);                                     \
-  template Distance<T> distance(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&);                             \
-  template detail::FixedManifoldOf<A, B, T>::type contacts(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&, T);
-#define GRAZE_INSTANTIATE(A, B)                                                                                        \
-  GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
-  GRAZE_INSTANTIATE_FOR(A, B, double)
-GRAZE_INSTANTIATE(Sphere, Sphere)
-GRAZE_INSTANTIATE(Sphere, Capsule)
-GRAZE_INSTANTIATE(Sphere, Box)
-GRAZE_INSTANTIATE(Sphere, Triangle)
-GRAZE_INSTANTIATE(Capsule, Sphere)
-GRAZE_INSTANTIATE(Capsule, Capsule)
-GRAZE_INSTANTIATE(Capsule, Box)
-GRAZE_INSTANTIATE(Capsule, Triangle)
-GRAZE_INSTANTIATE(Box, Sphere)
-GRAZE_INSTANTIATE(Box, Capsule)
-GRAZE_INSTANTIATE(Box, Box)
-GRAZE_INSTANTIATE(Triangle, Sphere)
-GRAZE_INSTANTIATE(Triangle, Capsule)
-#undef GRAZE_INSTANTIATE
-#undef GRAZE_INSTANTIATE_FOR
+/// The queries of two kinds.
+template <template <class> class A, template <class> class B, class T>
+struct TypedQueries {
+  using Manifold = typename detail::FixedManifoldOf<A, B, T>::type;
+  bool (*overlap)(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&) = &graze::overlap<A, B, T>;
+  Distance<T> (*distance)(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&) = &graze::distance<A, B, T>;
+  Manifold (*contacts)(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&, T) = &graze::contacts<A, B, T>;
+};
+
+/// The queries of a pair in both orders of its shapes, if its kinds are known to `typed_query.hpp`.
+template <class P, bool typed = TypedPair<P::template A, P::template B>>
+struct QueriesOf {};
+template <class P>
+struct QueriesOf<P, true> {
+  TypedQueries<P::template A, P::template B, float> floats;
+  TypedQueries<P::template A, P::template B, double> doubles;
+  TypedQueries<P::template B, P::template A, float> floats_turned;
+  TypedQueries<P::template B, P::template A, double> doubles_turned;
+};
+
+template <class List>
+struct QueriesOfList;
+template <class... P>
+struct QueriesOfList<Pairs<P...>> : QueriesOf<P>... {};
+
+/// The queries of all pairs of the list that have them: naming them instantiates them.
+extern const QueriesOfList<PairList> typed_queries;
+const QueriesOfList<PairList> typed_queries{};
 
 }  // namespace graze

@@ -1,10 +1,11 @@
-// The pairs of the list that have lanes: the pair that answers for two kinds of shapes, and the shapes that it takes.
+// The pairs of the list that have lanes: the pair that answers for two kinds of shapes.
 //
 // Guarantee: derived from the list of pairs (`narrow/pair_list.hpp`) and from nothing else.
 #pragma once
 
 #include <cstdint>
 
+#include "narrow/batch/lane_shapes.hpp"
 #include "narrow/pair_list.hpp"
 
 namespace graze {
@@ -129,54 +130,6 @@ constexpr bool has_lanes() {
       found = found || std::is_same_v<typename P::template A<T>, C> || std::is_same_v<typename P::template B<T>, C>;
   });
   return found;
-}
-
-/// Whether lanes take a shape: an untapered capsule with a side, a box or rectangle whose lengths along every side have
-/// products that neither overflow nor vanish, any shape of other kinds.
-template <class C>
-bool taken_by_lanes(const C&) {
-  return true;
-}
-template <class T>
-bool taken_by_lanes(const Box<T>& box) {
-  return regular_box(box.half_extents());
-}
-template <class T>
-bool taken_by_lanes(const Rectangle<T>& rectangle) {
-  const Vec3<T>& half = rectangle.as_box().half_extents();
-  return regular_rectangle(half.x, half.z);
-}
-template <class T>
-bool taken_by_lanes(const Capsule<T>& capsule) {
-  return has_untapered_side(capsule);
-}
-
-/// Whether lanes take a concrete shape whose kind is given by its index.
-template <class T>
-bool taken_by_lanes(std::size_t kind, const void* concrete) {
-  if (kind == detail::kind_of<Box<T>, T>()) return taken_by_lanes(*static_cast<const Box<T>*>(concrete));
-  if (kind == detail::kind_of<Capsule<T>, T>()) return taken_by_lanes(*static_cast<const Capsule<T>*>(concrete));
-  if (kind == detail::kind_of<Rectangle<T>, T>()) return taken_by_lanes(*static_cast<const Rectangle<T>*>(concrete));
-  return true;
-}
-
-/// Whether lanes take all of `count` >= 1 concrete shapes of one kind; `at(k)` is the k-th.
-template <class T, class At>
-bool all_taken_by_lanes(std::size_t kind, std::size_t count, const At& at) {
-  bool all = true;
-  if (kind == detail::kind_of<Box<T>, T>()) {
-    // If the smallest and the largest sides are in range, all are.
-    Vec3<T> low = static_cast<const Box<T>*>(at(0))->half_extents(), high = low;
-    for (std::size_t k = 1; k < count; ++k) {
-      const Vec3<T>& half = static_cast<const Box<T>*>(at(k))->half_extents();
-      low = least(half, low);
-      high = greatest(half, high);
-    }
-    all = regular_box(low) && regular_box(high);
-  } else if (kind == detail::kind_of<Capsule<T>, T>() || kind == detail::kind_of<Rectangle<T>, T>()) {
-    for (std::size_t k = 0; k < count; ++k) all &= taken_by_lanes<T>(kind, at(k));
-  }
-  return all;
 }
 
 /// The concrete shape if lanes take it, else null.

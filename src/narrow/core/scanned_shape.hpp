@@ -18,15 +18,21 @@ bool is_hull(const Shape<T>& shape) {
 }
 
 /// Whether a shape's core has few corners and no other points.
+template <class C>
+bool is_scannable(const C& concrete) {
+  return has_core(concrete);
+}
+template <class T>
+bool is_scannable(const Triangle<T>&) {
+  return true;
+}
+template <class T>
+bool is_scannable(const ConvexHull<T>& hull) {
+  return !hull.data().blocks.empty();
+}
 template <class T>
 bool is_scannable(const Shape<T>& shape) {
-  return shape.visit([](const auto& c) {
-    using C = std::decay_t<decltype(c)>;
-    if constexpr (std::is_same_v<C, ConvexHull<T>>)
-      return !c.data().blocks.empty();
-    else
-      return std::is_same_v<C, Triangle<T>> || has_core(c);
-  });
+  return shape.visit([](const auto& concrete) { return is_scannable(concrete); });
 }
 
 template <class T>
@@ -34,19 +40,7 @@ class ScannedShape {
  public:
   /// Takes a scannable shape, which must outlive this object.
   explicit ScannedShape(const Shape<T>& shape) {
-    shape.visit([&](const auto& c) {
-      using C = std::decay_t<decltype(c)>;
-      if constexpr (std::is_same_v<C, ConvexHull<T>>)
-        view_ = scanned(c.data()), extent_ = c.data().extent;
-      else if constexpr (std::is_same_v<C, Triangle<T>>)
-        take({c.point(0), c.point(1), c.point(2)});
-      else if constexpr (std::is_same_v<C, LineSegment<T>>)
-        take({c.point(0), c.point(1)});
-      else if constexpr (std::is_same_v<C, Capsule<T>>)
-        take({{T(0), c.half_height(), T(0)}, {T(0), -c.half_height(), T(0)}});
-      else
-        take(core_of(c));
-    });
+    shape.visit([this](const auto& concrete) { take(concrete); });
   }
   ScannedShape(const ScannedShape&) = delete;
   ScannedShape& operator=(const ScannedShape&) = delete;
@@ -56,13 +50,27 @@ class ScannedShape {
   T extent() const { return extent_; }
 
  private:
-  void take(const PointCore<T>& core) { take({core.point}); }
-  void take(const BoxCore<T>& core) {
+  void take(const ConvexHull<T>& hull) {
+    view_ = scanned(hull.data());
+    extent_ = hull.data().extent;
+  }
+  void take(const Triangle<T>& triangle) { take({triangle.point(0), triangle.point(1), triangle.point(2)}); }
+  void take(const LineSegment<T>& segment) { take({segment.point(0), segment.point(1)}); }
+  void take(const Capsule<T>& capsule) {
+    take({{T(0), capsule.half_height(), T(0)}, {T(0), -capsule.half_height(), T(0)}});
+  }
+  template <class C>
+  void take(const C& concrete) {
+    take_core(core_of(concrete));
+  }
+
+  void take_core(const PointCore<T>& core) { take({core.point}); }
+  void take_core(const BoxCore<T>& core) {
     const auto& [x, y, z] = core.half;
     take({{x, y, z}, {-x, y, z}, {x, -y, z}, {-x, -y, z}, {x, y, -z}, {-x, y, -z}, {x, -y, -z}, {-x, -y, -z}});
   }
   template <class Other>
-  void take(const Other&) {}  // no scannable shape has another core
+  void take_core(const Other&) {}  // no scannable shape has another core
   void take(std::initializer_list<Vec3<T>> corners) {
     std::copy(corners.begin(), corners.end(), corners_);
     extent_ = T(0);

@@ -27,9 +27,28 @@ T resting_contacts(const C& body, T margin_body, const Pose<T>& pose_body, T mar
   return found.distance;
 }
 
+/// Whether a shape that has slots meets a half-space in them alone: a tapered capsule does not, nor does a rounded box
+/// or triangle, whose corners do not lie straight above its lowest points.
+template <class C, class T>
+bool rests_on_slots(const C&, T rounding) {
+  return rounding == T(0);
+}
+template <class T>
+bool rests_on_slots(const Sphere<T>&, T) {
+  return true;
+}
+template <class T>
+bool rests_on_slots(const Capsule<T>& capsule, T) {
+  return has_untapered_side(capsule);
+}
+
+template <class C, class T>
+Distance<T> distance_on_half_space(const InPlace<C, T>& a, const InPlace<HalfSpace<T>, T>& b) {
+  return mirrored(finished(half_space_distance(a.shape, relative(b.pose, a.pose)), b.radius(), a.radius(), b.pose));
+}
 /// Two half-spaces: apart only where they face each other.
 template <class T>
-Distance<T> half_spaces_distance(const InPlace<HalfSpace<T>, T>& a, const InPlace<HalfSpace<T>, T>& b) {
+Distance<T> distance_on_half_space(const InPlace<HalfSpace<T>, T>& a, const InPlace<HalfSpace<T>, T>& b) {
   const Pose<T> pose = relative(a.pose, b.pose);
   const Vec3<T> up{T(0), T(1), T(0)};
   Distance<T> d =
@@ -59,21 +78,13 @@ struct OnHalfSpace {
 
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<Kind<T>, T>& a, const InPlace<HalfSpace<T>, T>& b) {
-    if constexpr (std::is_same_v<Kind<T>, HalfSpace<T>>)
-      return half_spaces_distance(a, b);
-    else
-      return mirrored(finished(half_space_distance(a.shape, relative(b.pose, a.pose)), b.radius(), a.radius(), b.pose));
+    return distance_on_half_space(a, b);
   }
-  /// The contacts. Nothing for a tapered capsule, nor for a rounded box or triangle, whose corners do not lie straight
-  /// above its lowest points.
+  /// The contacts; nothing for shapes that do not rest on their slots.
   template <class T>
   static std::optional<T> contacts(const InPlace<Kind<T>, T>& a, const InPlace<HalfSpace<T>, T>& b, T margin,
                                    Manifold<T>& manifold) requires has_slots<T> {
-    if constexpr (std::is_same_v<Kind<T>, Capsule<T>>) {
-      if (!has_untapered_side(a.shape)) return std::nullopt;
-    } else if constexpr (!std::is_same_v<Kind<T>, Sphere<T>>) {
-      if (a.rounding() != T(0)) return std::nullopt;
-    }
+    if (!rests_on_slots(a.shape, a.rounding())) return std::nullopt;
     return resting_contacts(a.shape, a.rounding(), a.pose, b.rounding(), b.pose, margin, manifold);
   }
 

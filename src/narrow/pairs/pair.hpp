@@ -14,7 +14,7 @@
 //
 // Pairs of `graze/typed_query.hpp` fill any type with a normal and points: a `Manifold`, or one of fixed size.
 //
-// Members across lanes, for shapes that `taken_by_lanes` (`narrow/batch/lane_pairs.hpp`) names, without rounding:
+// Members across lanes, for shapes that `taken_by_lanes` (`narrow/batch/lane_shapes.hpp`) names, without rounding:
 //
 //     overlap_rows<T>(), distance_rows<T>(), contact_rows<T>()   kernels for pairs in rows (`pair_kernels.hpp`)
 //     visit_contacts(pairs, count, turned, sink)                 passes the kernels' results to a `contact_sink.hpp`
