@@ -119,10 +119,11 @@ void leave_out_repeats(FlatPoints<T>& inner, T noise, SmallVector<char, 16>& kee
 /// Keeps the deepest of points that are all at one place, as those of a ball on the seam of two triangles. Returns
 /// whether they were.
 template <class T>
-bool join_at_one_place(Manifold<T>& manifold, T together) {
+bool join_at_one_place(Manifold<T>& manifold, T most_merged) {
   ContactPoint<T> deepest = manifold.points[0];
   for (const ContactPoint<T>& p : manifold.points) {
-    if (max_abs(p.a - manifold.points[0].a) > together || max_abs(p.b - manifold.points[0].b) > together) return false;
+    if (max_abs(p.a - manifold.points[0].a) > most_merged || max_abs(p.b - manifold.points[0].b) > most_merged)
+      return false;
     if (p.distance < deepest.distance) deepest = p;
   }
   manifold.points.truncate(1);

@@ -10,7 +10,7 @@
 #include "composite/composite.hpp"
 #include "composite/flat_faces.hpp"
 #include "composite/internal_edges/ghost_contacts.hpp"
-#include "composite/internal_edges/round_on_surface.hpp"
+#include "composite/internal_edges/sphere_capsule_on_surface.hpp"
 #include "composite/leaf_pairs.hpp"
 #include "composite/merge_manifolds.hpp"
 #include "composite/triangle_run.hpp"
@@ -133,7 +133,7 @@ struct TouchingPieces {
       for (std::size_t i = 0; i < run.count; ++i) alone(i);
       return;
     }
-    const std::optional<RoundOnSurface<T>> round = round_on_surface(run);
+    const std::optional<SphereCapsuleOnSurface<T>> round = sphere_capsule_on_surface(run);
     const auto touch = [&](std::size_t i, T distance, Manifold<T>& manifold) {
       if (round && round->is_ghost(run.number[i], manifold, run.surface_is_a))
         return pass_over(run, i, distance, manifold);
@@ -144,11 +144,11 @@ struct TouchingPieces {
 
   /// The surface and the round body of a run, if edges tell which of its contacts are ghosts: it is no child, pushes to
   /// both sides, and nothing is beside it.
-  std::optional<RoundOnSurface<T>> round_on_surface(const TriangleRun<T>& run) const {
+  std::optional<SphereCapsuleOnSurface<T>> sphere_capsule_on_surface(const TriangleRun<T>& run) const {
     const Part<T>& whole = run.surface_is_a ? a : b;
     const bool alone = (run.surface_is_a ? beside.of_a : beside.of_b).empty();
     if (is_compound(whole.shape) || !alone || run.surface.pushes == Pushes::frontward) return std::nullopt;
-    return RoundOnSurface<T>::of(whole.shape, whole.pose, run.body.shape, run.body.pose);
+    return SphereCapsuleOnSurface<T>::of(whole.shape, whole.pose, run.body.shape, run.body.pose);
   }
   void pass_over(const TriangleRun<T>& run, std::size_t i, T distance, const Manifold<T>& manifold) {
     if (!(distance < least_distance)) return;

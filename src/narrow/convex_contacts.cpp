@@ -74,7 +74,7 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
   FaceContacts faces;
   clip_faces(face_a, face_b, normal, normal_rounding<T> * (a.radius() + b.radius() + smaller_size(a, b)), faces);
   const RoundedFace rounded_a(face_a, normal, a.radius()), rounded_b(face_b, -normal, b.radius());
-  const T together = tolerance<T> * static_cast<T>(smaller_size(a, b));
+  const T most_merged = tolerance<T> * static_cast<T>(smaller_size(a, b));
   const Mat3d turn = rotation_matrix(frame.rotation);
   const auto in_world = [&](const Vec3d& p) { return converted<T>(turn * p + frame.translation); };
   double nearest = std::numeric_limits<double>::infinity();
@@ -84,7 +84,7 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
     const double apart = dot(on_b - on_a, normal);
     nearest = std::min(nearest, apart);
     if (apart > limit) continue;
-    add_point<T>({in_world(on_a), in_world(on_b), static_cast<T>(apart), c.feature}, together, manifold);
+    add_point<T>({in_world(on_a), in_world(on_b), static_cast<T>(apart), c.feature}, most_merged, manifold);
   }
   manifold.normal = converted<T>(turn * normal);
   return nearest;

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "query/batch_portals.hpp"
+#include "query/batch_mpr.hpp"
 #include "query/batch_rows.hpp"
 
 namespace graze {
@@ -144,9 +144,9 @@ template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
   touch.resize(batch.size());
   const Overlaps<T> query{batch};
-  Portals portals(batch, touch.data(), [&](std::size_t i) { return query.single(i); });
-  answer(query, batch, touch, [&](std::size_t i) { portals.add(i); });
-  portals.finish();
+  MprQueues mpr(batch, touch.data(), [&](std::size_t i) { return query.single(i); });
+  answer(query, batch, touch, [&](std::size_t i) { mpr.add(i); });
+  mpr.finish();
 }
 
 template <class T>

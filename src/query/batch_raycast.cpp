@@ -289,10 +289,10 @@ void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray
                  return;
                }
                load(block, some, length, frame);
-               const bool together = target.takes(some.size());
-               if (together) target.find_hits(block, some.size(), pieces);
+               const bool by_kernel = target.takes(some.size());
+               if (by_kernel) target.find_hits(block, some.size(), pieces);
                for (std::size_t i = 0; i < some.size(); ++i) {
-                 if (together && block.state[i] != rays::ray_again) {
+                 if (by_kernel && block.state[i] != rays::ray_again) {
                    hits[first + i] = block.state[i] == rays::ray_hit;
                  } else {
                    LocalRay ray = local_ray(block, i);

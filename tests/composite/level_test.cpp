@@ -80,7 +80,8 @@ TYPED_TEST(Level, TrianglesHaveNeighboursThatRiseAboveAnyOtherNormal) {
       const Vec3<T> any = normalized(converted<T>(testing::random_vector(random, 1)));
       const Vec3<T> aside = normalized(any - up * dot(any, up));
       const Vec3<T> outward = normalized(up + aside * static_cast<T>(uniform(random, 0.02f, 3)));
-      EXPECT_TRUE(riser_around<T>({shape, pose, piece, pose}, place, outward)) << "triangle " << t << " of mesh " << i;
+      EXPECT_TRUE(neighbour_outside_region<T>({shape, pose, piece, pose}, place, outward))
+          << "triangle " << t << " of mesh " << i;
     }
   }
   EXPECT_GT(level, 3000u);

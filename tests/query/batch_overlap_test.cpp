@@ -3,7 +3,7 @@
 
 #include "common/specimen.hpp"
 #include "graze/batch.hpp"
-#include "query/batch_portals.hpp"
+#include "query/batch_mpr.hpp"
 
 namespace graze::testing {
 namespace {
@@ -100,62 +100,62 @@ TEST(BatchOverlap, AnswersAsAloneWhereShapesNearlyTouch) {
 }
 
 /// Columns of one kind of pairs, filled up.
-PortalPairs columns_of(Kind a, Kind b, Random& random) {
-  static constexpr PortalKinds<float> kinds;
-  PortalPairs pairs;
-  for (std::size_t k = 0; k < portal_chunk; ++k) {
-    const auto put = [&](Kind kind, std::size_t core, std::size_t turn, PortalPairs::Vertices& vertices) {
+MprPairs columns_of(Kind a, Kind b, Random& random) {
+  static constexpr MprKinds<float> kinds;
+  MprPairs pairs;
+  for (std::size_t k = 0; k < mpr_chunk; ++k) {
+    const auto put = [&](Kind kind, std::size_t core, std::size_t turn, MprPairs::Vertices& vertices) {
       const auto vertices_of = [](const Shape<float>& shape) {
         const auto* hull = shape.as<ConvexHull<float>>();
         return hull ? hull->data().vertices.size() : 0;
       };
       Shape<float> shape = build<float>(random_specimen(kind, 1, random));
-      while (vertices_of(shape) > most_portal_points) shape = build<float>(random_specimen(kind, 1, random));
+      while (vertices_of(shape) > most_mpr_points) shape = build<float>(random_specimen(kind, 1, random));
       vertices.count[k] = static_cast<std::uint8_t>(vertices_of(shape));
       const float radius = shape.visit([&](const auto& concrete) {
         return kinds[shape.index()].put(&concrete, {pairs.column + core, k}) + shape.rounding();
       });
-      PortalPlace{pairs.column + turn, k}.put(random_rotation(random));
+      MprPlace{pairs.column + turn, k}.put(random_rotation(random));
       return radius;
     };
-    const float reach = put(a, PortalPairs::of_a, PortalPairs::turn_a, pairs.vertices_a) +
-                        put(b, PortalPairs::of_b, PortalPairs::turn_b, pairs.vertices_b);
-    PortalPlace{pairs.column + PortalPairs::reach, k}.put(0, reach);
-    PortalPlace{pairs.column + PortalPairs::way, k}.put(0, random_vector(random, 1.2f));
+    const float reach = put(a, MprPairs::of_a, MprPairs::turn_a, pairs.vertices_a) +
+                        put(b, MprPairs::of_b, MprPairs::turn_b, pairs.vertices_b);
+    MprPlace{pairs.column + MprPairs::reach, k}.put(0, reach);
+    MprPlace{pairs.column + MprPairs::way, k}.put(0, random_vector(random, 1.2f));
   }
-  const auto side = [](Kind kind) { return kind == Kind::hull ? PortalSide::hull : PortalSide::points; };
-  pairs.fill_up(portal_chunk, side(a), side(b));
+  const auto side = [](Kind kind) { return kind == Kind::hull ? MprShape::hull : MprShape::points; };
+  pairs.fill_up(mpr_chunk, side(a), side(b));
   return pairs;
 }
 
-TEST(BatchOverlap, PortalsTellOfNearlyAllAndTheSameAtEveryLevel) {
+TEST(BatchOverlap, MprTellsOfNearlyAllAndTheSameAtEveryLevel) {
   Random random(8);
   std::size_t unknown = 0, apart = 0, asked = 0;
-  const auto ask = [&]<PortalSide A, PortalSide B>(Kind a, Kind b) {
-    const PortalPairs pairs = columns_of(a, b, random);
-    std::uint8_t expected[portal_chunk];
-    GRAZE_KERNEL(Isa::baseline, mpr_overlaps<A, B>)(pairs, portal_chunk, expected);
+  const auto ask = [&]<MprShape A, MprShape B>(Kind a, Kind b) {
+    const MprPairs pairs = columns_of(a, b, random);
+    std::uint8_t expected[mpr_chunk];
+    GRAZE_KERNEL(Isa::baseline, mpr_overlaps<A, B>)(pairs, mpr_chunk, expected);
     for (const Isa level : {Isa::avx2, Isa::avx512}) {
       if (!isa_available(level)) continue;
-      std::uint8_t found[portal_chunk];
-      GRAZE_KERNEL(level, mpr_overlaps<A, B>)(pairs, portal_chunk, found);
-      EXPECT_TRUE(std::equal(found, found + portal_chunk, expected)) << name_of(a) << ' ' << name_of(b);
+      std::uint8_t found[mpr_chunk];
+      GRAZE_KERNEL(level, mpr_overlaps<A, B>)(pairs, mpr_chunk, found);
+      EXPECT_TRUE(std::equal(found, found + mpr_chunk, expected)) << name_of(a) << ' ' << name_of(b);
     }
-    unknown += static_cast<std::size_t>(std::count(expected, expected + portal_chunk, 2));
-    apart += static_cast<std::size_t>(std::count(expected, expected + portal_chunk, 0));
-    asked += portal_chunk;
+    unknown += static_cast<std::size_t>(std::count(expected, expected + mpr_chunk, 2));
+    apart += static_cast<std::size_t>(std::count(expected, expected + mpr_chunk, 0));
+    asked += mpr_chunk;
   };
   constexpr Kind sums[] = {Kind::capsule, Kind::tapered_capsule, Kind::box, Kind::rectangle, Kind::cylinder,
                            Kind::cone,    Kind::ellipsoid};
   constexpr Kind points[] = {Kind::sphere, Kind::segment, Kind::triangle};
   for (const Kind a : sums) {
-    for (const Kind b : sums) ask.operator()<PortalSide::sum, PortalSide::sum>(a, b);
-    for (const Kind b : points) ask.operator()<PortalSide::sum, PortalSide::points>(a, b);
-    ask.operator()<PortalSide::sum, PortalSide::hull>(a, Kind::hull);
+    for (const Kind b : sums) ask.operator()<MprShape::sum, MprShape::sum>(a, b);
+    for (const Kind b : points) ask.operator()<MprShape::sum, MprShape::points>(a, b);
+    ask.operator()<MprShape::sum, MprShape::hull>(a, Kind::hull);
   }
-  for (const Kind a : points) ask.operator()<PortalSide::points, PortalSide::hull>(a, Kind::hull);
-  ask.operator()<PortalSide::hull, PortalSide::hull>(Kind::hull, Kind::hull);
-  ask.operator()<PortalSide::points, PortalSide::points>(Kind::triangle, Kind::triangle);
+  for (const Kind a : points) ask.operator()<MprShape::points, MprShape::hull>(a, Kind::hull);
+  ask.operator()<MprShape::hull, MprShape::hull>(Kind::hull, Kind::hull);
+  ask.operator()<MprShape::points, MprShape::points>(Kind::triangle, Kind::triangle);
   EXPECT_LT(unknown * 50, asked);
   EXPECT_GT(apart * 4, asked);
   EXPECT_GT((asked - apart) * 4, asked);

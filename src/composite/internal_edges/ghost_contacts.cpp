@@ -48,17 +48,18 @@ std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Pla
                                          T margin) {
   if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
     const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
-    if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
+    if (face != Vec3<T>{} && !neighbour_outside_region(self, point, face, Among::all)) return face;
   }
   const bool beside_ground = is_ground(neighbour.shape);
-  if (beside_ground && !riser_around(self, point, plane_normal(neighbour.pose), Among::all))
+  if (beside_ground && !neighbour_outside_region(self, point, plane_normal(neighbour.pose), Among::all))
     return plane_normal(neighbour.pose);
   Manifold<T> beside;
   if (!beside_ground) convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside);
   if (!beside.points.empty()) {
     const LeafInContext<T> next{self.whole, self.whole_pose, neighbour.shape, neighbour.pose, self.beside};
     const Vec3<T> place = standing_point<T>(beside.points, &ContactPoint<T>::a);
-    if (!riser_around(self, place, beside.normal, Among::all) && !surface_over(next, place, beside.normal, other))
+    if (!neighbour_outside_region(self, place, beside.normal, Among::all) &&
+        !surface_over(next, place, beside.normal, other))
       return beside.normal;
   }
   std::optional<OnSurface<T>> seen = surface_over(self, point, outward, other);
@@ -198,7 +199,7 @@ std::optional<Correction<T>> along_face(const LeafInContext<T>& self, const Tria
 template <class T>
 std::optional<Correction<T>> least_way_out(const LeafInContext<T>& self, const LeafInContext<T>& other) {
   const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose);
-  if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
+  if (face_along(self, d.normal) != Vec3<T>{} || neighbour_outside_region(self, d.a, d.normal)) return std::nullopt;
   if (!lies_open(self, d.normal) && surface_over(self, d.a, d.normal, other)) return std::nullopt;
   return Correction<T>{d.normal, d};
 }
@@ -231,7 +232,7 @@ bool is_on_ridge(const LeafInContext<T>& self, const LeafInContext<T>& other, co
   if (dot(from, own) > dot(center, local) - dot(half, abs(local))) return false;
   const auto faces = faces_around(self, point);
   const bool bends = std::any_of(faces.begin(), faces.end(), [&](const Vec3<T>& f) { return !leads_along(f, own); });
-  return bends && !riser_around(self, point, own, Among::all);
+  return bends && !neighbour_outside_region(self, point, own, Among::all);
 }
 
 /// A contact as one of its two pieces sees it.
@@ -295,7 +296,7 @@ Correction<T> own_face(const LeafInContext<T>& self, const LeafInContext<T>& oth
   const Vec3<T> to_middle = normalized(middle_of(other) - point, outward);
   for (const Vec3<T>& direction : {to_middle, outward}) {
     const Vec3<T> own = leaning_least(self, direction);
-    if (own != Vec3<T>{} && !riser_around(self, point, own, Among::all)) return {own};
+    if (own != Vec3<T>{} && !neighbour_outside_region(self, point, own, Among::all)) return {own};
   }
   return {outward, {}, true};
 }
@@ -315,9 +316,10 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
     if (lies_open(self, face)) return Correction<T>{face};
   }
   if (!contact.on_face) {
-    std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
+    std::optional<Placed<T>> neighbour = neighbour_outside_region(self, point, outward);
     const bool leans = triangle && leans_over(self, point, outward);
-    if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
+    if (leans && !neighbour)
+      neighbour = neighbour_outside_region(self, furthest(self.piece, self.pose, outward), outward);
     // Where two skins cross, the least way out is that of edges which neither body has, and a face of one cuts through
     // the flat of the other: what that reaches there has contacts of its own.
     const bool skins = self.of_body && other.of_body;
@@ -369,7 +371,7 @@ std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const Leaf
   for (const Vec3<T>& direction : {contact.outward, to_middle}) {
     const Vec3<T> own = leaning_least(self, direction);
     if (own == Vec3<T>{} || apart_along(self, other, own) <= apart + noise) continue;
-    if (riser_around(self, point, own, Among::all) || surface_over(self, point, own, other)) continue;
+    if (neighbour_outside_region(self, point, own, Among::all) || surface_over(self, point, own, other)) continue;
     right = Correction<T>{own};
     apart = apart_along(self, other, own);
   }
@@ -427,7 +429,7 @@ template <class T>
 bool refuses(const LeafInContext<T>& self, const LeafInContext<T>& other, bool of_a, const Manifold<T>& manifold) {
   const Vec3<T> outward = of_a ? manifold.normal : -manifold.normal;
   const Vec3<T> point = standing_point<T>(manifold.points, of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
-  if (face_along(self, outward) == Vec3<T>{} && riser_around(self, point, outward, Among::all)) return true;
+  if (face_along(self, outward) == Vec3<T>{} && neighbour_outside_region(self, point, outward, Among::all)) return true;
   return !lies_open(self, outward) && surface_over(self, point, outward, other);
 }
 

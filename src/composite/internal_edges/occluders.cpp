@@ -131,15 +131,15 @@ struct BestCover {
   T along = T(0), depth = std::numeric_limits<T>::infinity();
 
   void offer(const OnSurface<T>& seen, const Sight<T>& sight) {
-    const bool now_risen = riser_around(sight.self, seen.point, seen.normal, Among::all).has_value();
+    const bool now_outside = neighbour_outside_region(sight.self, seen.point, seen.normal, Among::all).has_value();
     const T now_along = length(seen.point - sight.from), deep = depth_below(seen, other);
     const T nearer = now_along - along;
-    const bool better = !surface || (now_risen != risen                      ? risen
+    const bool better = !surface || (now_outside != risen                    ? risen
                                      : std::abs(nearer) > T(8) * sight.slack ? nearer > T(0)
                                                                              : deep < depth);
     if (!better) return;
     surface = seen;
-    surface->risen = risen = now_risen;
+    surface->risen = risen = now_outside;
     along = now_along;
     depth = deep;
   }
@@ -220,7 +220,7 @@ template <class T>
 std::optional<OnSurface<T>> own_surface(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                         const LeafInContext<T>& other) {
   const auto seen = entry(self.piece, self.pose, sight_of(self, point, outward, other));
-  return seen && !riser_around(self, point, seen->normal, Among::all) ? seen : std::nullopt;
+  return seen && !neighbour_outside_region(self, point, seen->normal, Among::all) ? seen : std::nullopt;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

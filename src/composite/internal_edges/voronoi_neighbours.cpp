@@ -102,8 +102,8 @@ bool ground_rises_above(const Shape<T>& ground, const Pose<T>& pose, const Vec3<
 
 /// A convex piece of `whole` that touches `point` and rises above the plane through it, if there is one.
 template <class T>
-std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const LeafInContext<T>& self, Among among,
-                               const Vec3<T>& point, const Vec3<T>& outward) {
+std::optional<Placed<T>> outside_region(const Shape<T>& whole, const Pose<T>& pose, const LeafInContext<T>& self,
+                                        Among among, const Vec3<T>& point, const Vec3<T>& outward) {
   std::optional<Placed<T>> found;
   const Vec3<T> local = inverse_transform(pose, point);
   const T noise = place_noise(point);
@@ -118,7 +118,7 @@ std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const
   const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
     if (among == Among::others && &piece == &self.piece) return true;
     if (!piece.convex())
-      found = riser(piece, at, self, among, point, outward);
+      found = outside_region(piece, at, self, among, point, outward);
     else if (is_ground(piece) ? ground_rises_above(piece, at, bounds(self.piece, self.pose).extent(), point, outward)
                               : piece_rises_above(piece, at, point, outward))
       found.emplace(Placed<T>{piece, at});
@@ -155,11 +155,11 @@ bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>
 }
 
 template <class T>
-std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
-                                      Among among) {
+std::optional<Placed<T>> neighbour_outside_region(const LeafInContext<T>& self, const Vec3<T>& point,
+                                                  const Vec3<T>& outward, Among among) {
   std::optional<Placed<T>> found;
   any_around(self, point, [&](const Shape<T>& shape, const Pose<T>& at) {
-    found = riser(shape, at, self, among, point, outward);
+    found = outside_region(shape, at, self, among, point, outward);
     return found.has_value();
   });
   return found;
@@ -198,7 +198,8 @@ FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>& self, const Vec3<T
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template bool piece_rises_above(const Shape<T>&, const Pose<T>&, const Vec3<T>&, const Vec3<T>&);                    \
-  template std::optional<Placed<T>> riser_around(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&, Among);      \
+  template std::optional<Placed<T>> neighbour_outside_region(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&,  \
+                                                             Among);                                                   \
   template bool rises_across_edge(const Shape<T>&, std::uint32_t, const Vec3<T>&, const Vec3<T>&, T);                  \
   template FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>&, const Vec3<T>&);
 GRAZE_INSTANTIATE(float)

@@ -35,11 +35,11 @@ enum class Among { others, all };
 
 /// A neighbour of the piece that rises above the plane through the point.
 template <class T>
-std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
-                                      Among among = Among::others);
+std::optional<Placed<T>> neighbour_outside_region(const LeafInContext<T>& self, const Vec3<T>& point,
+                                                  const Vec3<T>& outward, Among among = Among::others);
 
 /// Whether a triangle that shares an edge with one of a mesh or height field rises above the plane through a point on
-/// this: then `riser_around` finds one, too. In the surface's frame; `noise`: what the point may be off by for where
+/// this: then `neighbour_outside_region` finds one, too. In the surface's frame; `noise`: what the point may be off by for where
 /// the surface is. Nothing is searched, and false says nothing.
 template <class T>
 bool rises_across_edge(const Shape<T>& surface, std::uint32_t triangle, const Vec3<T>& point, const Vec3<T>& outward,

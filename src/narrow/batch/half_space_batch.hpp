@@ -17,44 +17,44 @@ namespace graze {
 
 /// Distance within which two contact points of a body are one; zero for bodies without points so close.
 template <class T>
-T points_together(const Sphere<T>&, T) {
+T merge_distance(const Sphere<T>&, T) {
   return T(0);
 }
 template <class T>
-T points_together(const Capsule<T>& capsule, T margin) {
-  const T together = tolerance<T> * (capsule.core_extent() + rounding_radius(capsule, margin));
-  return T(2) * capsule.half_height() > together ? T(0) : together;
+T merge_distance(const Capsule<T>& capsule, T margin) {
+  const T most_merged = tolerance<T> * (capsule.core_extent() + rounding_radius(capsule, margin));
+  return T(2) * capsule.half_height() > most_merged ? T(0) : most_merged;
 }
 template <class T>
-T points_together(const Box<T>& box, T) {
+T merge_distance(const Box<T>& box, T) {
   const Vec3<T>& half = box.half_extents();
-  const T together = tolerance<T> * length(half);
-  return least(half.x, least(half.y, half.z)) > together ? T(0) : together;
+  const T most_merged = tolerance<T> * length(half);
+  return least(half.x, least(half.y, half.z)) > most_merged ? T(0) : most_merged;
 }
 
 template <class T>
-T points_together(const Triangle<T>& triangle, T) {
-  const T together = tolerance<T> * triangle.core_extent();
+T merge_distance(const Triangle<T>& triangle, T) {
+  const T most_merged = tolerance<T> * triangle.core_extent();
   const auto side = [&](std::size_t i, std::size_t j) { return length(triangle.point(i) - triangle.point(j)); };
-  return least(side(0, 1), least(side(1, 2), side(2, 0))) > T(2) * together ? T(0) : together;
+  return least(side(0, 1), least(side(1, 2), side(2, 0))) > T(2) * most_merged ? T(0) : most_merged;
 }
 
 /// Calls `f(point)` for the points in the slots of one pair, with the body as A and the half-space as B, leaving out
-/// the later of two at one place. `slot(i)` returns the i-th slot; `together` is that of `points_together`.
+/// the later of two at one place. `slot(i)` returns the i-th slot; `most_merged` is that of `merge_distance`.
 template <class T, class Slot, class F>
-void each_half_space_point(unsigned filled, T together, const Slot& slot, const F& f) {
+void each_half_space_point(unsigned filled, T most_merged, const Slot& slot, const F& f) {
   const auto point = [&](std::size_t i) {
     const typename Rest<T>::Slot from = slot(i);
     return ContactPoint<T>{from.of_body, from.of_plane, from.distance,
                            feature_id(vertex_feature(static_cast<std::uint32_t>(from.corner)), face_feature(0))};
   };
-  if (together == T(0)) [[likely]] {
+  if (most_merged == T(0)) [[likely]] {
     for (; filled != 0; filled &= filled - 1) f(point(static_cast<std::size_t>(std::countr_zero(filled))));
     return;
   }
   Manifold<T> manifold;
   for (; filled != 0; filled &= filled - 1)
-    add_point(point(static_cast<std::size_t>(std::countr_zero(filled))), together, manifold);
+    add_point(point(static_cast<std::size_t>(std::countr_zero(filled))), most_merged, manifold);
   for (const ContactPoint<T>& p : manifold.points) f(p);
 }
 
@@ -63,7 +63,7 @@ template <class T>
 struct HalfSpacePoints {
   const HalfSpaceBlock<T>& block;
   std::size_t pair;
-  T together;
+  T most_merged;
   bool turned;
 
   /// Unit, from the first shape to the second.
@@ -77,7 +77,7 @@ struct HalfSpacePoints {
     const std::size_t first = points.size();
     const auto at = [&](const auto& columns) { return Vec3<T>{columns[0][pair], columns[1][pair], columns[2][pair]}; };
     each_half_space_point<T>(
-        static_cast<unsigned>(block.filled[pair]), together,
+        static_cast<unsigned>(block.filled[pair]), most_merged,
         [&](std::size_t i) {
           const auto& slot = block.slots[i];
           return typename Rest<T>::Slot{at(slot.of_body), at(slot.of_plane), slot.distance[pair], slot.corner[pair]};
@@ -104,7 +104,7 @@ void visit_half_space_contacts(const PairRef<T>* pairs, std::size_t count, bool 
         apart(first + k);
       else
         touching(first + k, block.distance[k],
-                 HalfSpacePoints<T>{block, k, points_together(*static_cast<const A*>(pair.a), T(0)), turned});
+                 HalfSpacePoints<T>{block, k, merge_distance(*static_cast<const A*>(pair.a), T(0)), turned});
     }
   }
 }

@@ -39,7 +39,7 @@ template <class T>
 
 /// Writes a bundle of pairs of A and B, and how they meet within the margins, which is returned, too.
 template <class A, class B, class T>
-[[gnu::always_inline]] inline Lanes<T> put_all(const RoundContact<Lanes<T>>& c, const Lanes<T>& margin,
+[[gnu::always_inline]] inline Lanes<T> put_all(const OneContact<Lanes<T>>& c, const Lanes<T>& margin,
                                                const Lanes<T>& weight, PointContact<T>* contacts, Meeting* meetings) {
   using S = Lanes<T>;
   using Whole = typename S::BitVector;

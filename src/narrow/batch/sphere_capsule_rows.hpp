@@ -36,7 +36,7 @@ template <class T>
 /// `put_lying(bits, sides)` writes the contacts of capsules on their sides, one behind the other.
 template <class A, class B, class T, class PutLying>
 [[gnu::always_inline]] inline void
-put_rows(const RowBundle<A, B, T>& p, const RoundContact<Lanes<T>>& c, const Lanes<T>& weight, T margin, bool turned,
+put_rows(const RowBundle<A, B, T>& p, const OneContact<Lanes<T>>& c, const Lanes<T>& weight, T margin, bool turned,
          std::size_t first, std::size_t count, const ContactRows<T>& to, RowCounts& counts, const PutLying& put_lying) {
   using S = Lanes<T>;
   constexpr std::size_t lanes = lanes_of<T>;

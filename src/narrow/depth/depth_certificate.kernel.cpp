@@ -18,8 +18,8 @@ namespace {
 
 using S = Lanes<double>;
 
-/// Number of cells tested together, equal at every level, so that each comes to the same doubts.
-constexpr std::size_t together = 8;
+/// Number of cells tested at once, equal at every level, so that each comes to the same doubts.
+constexpr std::size_t cells_at_once = 8;
 constexpr auto step = static_cast<std::size_t>(S::lanes);
 /// Largest number of cuts of a cell: to sectors of a fifth of a degree. A direction still in doubt then has about as
 /// little overlap as the one found.
@@ -27,14 +27,14 @@ constexpr int cuts = 8;
 /// Most proofs take four to ten bundles of cells; one with this many takes twice as long as EPA.
 constexpr int most_bundles = 400;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Values of s beyond which directions are treated together up to the opposite of n; below it in these intervals.
+/// Values of s beyond which directions are treated as one, up to the opposite of n; below it in these intervals.
 constexpr double far_away = 8;
 constexpr double ends[] = {0, 0.5, 2, far_away};
 
 class Cells {
  public:
   /// Capacity. The last cells are cut first, so that of each size at most those of one cut bundle are left.
-  static constexpr std::size_t room = 3 * together + cuts * 4 * together;
+  static constexpr std::size_t room = 3 * cells_at_once + cuts * 4 * cells_at_once;
 
   bool empty() const { return count_ == 0; }
 
@@ -43,12 +43,12 @@ class Cells {
     constexpr double h = 0.70710678118654752440;
     constexpr double cosines[] = {1, h, 0, -h, -1, -h, 0, h};
     const auto tangent = [&](std::size_t i) -> PolarTangent { return {cosines[i % 8], cosines[(i + 6) % 8]}; };
-    for (std::size_t i = 0; i < together; ++i) add(tangent(i), tangent(i + 1), from, to, 0);
+    for (std::size_t i = 0; i < cells_at_once; ++i) add(tangent(i), tangent(i + 1), from, to, 0);
   }
 
-  /// Takes the last cells, up to `together`; they stay readable until others are added.
+  /// Takes the last cells, up to `cells_at_once`; they stay readable until others are added.
   [[gnu::always_inline]] std::size_t take() {
-    const std::size_t taken = count_ < together ? count_ : together;
+    const std::size_t taken = count_ < cells_at_once ? count_ : cells_at_once;
     count_ -= taken;
     return taken;
   }
@@ -188,7 +188,7 @@ template <class Holds>
     for (std::size_t i = 0; i < taken; i += step) open |= bits_of(!holds(cells.bundle(begin + i))) << i;
     open &= (1u << taken) - 1;
     if (open == 0) continue;
-    Cells::Cell doubtful[together];
+    Cells::Cell doubtful[cells_at_once];
     std::size_t count = 0;
     for (std::size_t i = 0; i < taken; ++i)
       if (open >> i & 1) doubtful[count++] = cells.cell(begin + i);

@@ -10,11 +10,11 @@
 // Guarantee: every answer is proven. All lengths are in units of the pair's size, so that no point of D is further than
 // 1 from the line between the origins. A support point along n and its height along n come of some fifty operations on
 // numbers of that size, each right within float's 2^-24: its height is the greatest of D along n within some hundred
-// such roundings. So is the inner point of as many points as a side may have. `portal_slack` is three times that. The
+// such roundings. So is the inner point of as many points as a side may have. `mpr_slack` is three times that. The
 // cores are apart where the height shows a gap of more than the slack, and the origin is inside where it is deeper than
 // the slack inside all four sides of the tetrahedron, which the rounding of its corners cannot undo. Where the two
 // origins are further apart than 2 the roundings grow in proportion, but there every reported gap is right, and a
-// reported overlap would have to be wrong by half the distance. Pairs not proven after `portal_steps`, or out of
+// reported overlap would have to be wrong by half the distance. Pairs not proven after `mpr_steps`, or out of
 // float's range, are unknown.
 #pragma once
 
@@ -24,10 +24,10 @@
 
 namespace graze {
 
-inline constexpr float portal_slack = 2e-5f;
+inline constexpr float mpr_slack = 2e-5f;
 
 /// Support queries a pair. Among random pairs of smooth shapes fewer than 1 in 100 need more.
-inline constexpr int portal_steps = 14;
+inline constexpr int mpr_steps = 14;
 
 /// Squared length of a vector below which it gives no direction in float: its own square is still a normal number.
 inline constexpr float least_square = 1e-24f;
@@ -40,7 +40,7 @@ S sum_of(const Vec3<S>& v) {
 /// A sum of a box and an ellipsoid about the origin. The ellipsoid may be a ball of another size at the box's bottom
 /// than at its top, as in a tapered capsule, or a disc, as in a cylinder.
 template <class S>
-struct PortalSum {
+struct MprSum {
   Vec3<S> half, radii;
   S bottom, top;  ///< scale of `radii` at the bottom and at the top
 
@@ -63,7 +63,7 @@ struct PortalSum {
 
 /// The hull of three points.
 template <class S>
-struct PortalPoints {
+struct MprPoints {
   Vec3<S> point[3];
 
   S size() const { return greatest(sum_of(abs(point[0])), greatest(sum_of(abs(point[1])), sum_of(abs(point[2])))); }
@@ -82,7 +82,7 @@ struct PortalPoints {
 
 /// The hull of points that the caller holds; lanes with fewer repeat theirs.
 template <class S>
-struct PortalHull {
+struct MprHull {
   Vec3<S>* point;
   std::size_t count;
 
@@ -119,7 +119,7 @@ struct PortalHull {
 
 /// The difference D, rounded by `reach`, in A's frame.
 template <class A, class B, class S>
-struct PortalDifference {
+struct MprDifference {
   A a;
   B b;
   Mat3<S> turn;
@@ -144,7 +144,7 @@ struct PortalDifference {
 
 /// Lanes in which the cores are apart and lanes in which they come within reach; the others are unknown.
 template <class S>
-struct PortalAnswer {
+struct MprAnswer {
   typename S::Mask apart, touching;
 };
 
@@ -154,20 +154,20 @@ template <class S>
 auto holds_origin(const Vec3<S>& p, const Vec3<S>& q, const Vec3<S>& r, const Vec3<S>& opposite) {
   const Vec3<S> u = q - p, v = r - p, normal = cross(u, v);
   const S origin = -dot(normal, p), inner = dot(normal, opposite - p);
-  const S least_height = S(portal_slack * portal_slack) * length_squared(u) * length_squared(v);
+  const S least_height = S(mpr_slack * mpr_slack) * length_squared(u) * length_squared(v);
   return (origin * inner > origin * origin * S(0.5f)) & (origin * origin > least_height) &
          (length_squared(normal) > S(least_square));
 }
 
 template <class S, class D>
-PortalAnswer<S> portal_overlap(const D& difference) {
+MprAnswer<S> mpr_overlap(const D& difference) {
   using Mask = typename S::Mask;
   const auto none = S(0) < S(0);
-  PortalAnswer<S> answer{none, none};
+  MprAnswer<S> answer{none, none};
   // Whether the origin is in front of the plane through D's furthest point along n, behind which all of D lies.
   const auto before = [](const Vec3<S>& n, const Vec3<S>& furthest) {
     const S height = dot(n, furthest), squared = length_squared(n);
-    return (height < S(0)) & (height * height > S(portal_slack * portal_slack) * squared) & (squared > S(least_square));
+    return (height < S(0)) & (height * height > S(mpr_slack * mpr_slack) * squared) & (squared > S(least_square));
   };
   const Vec3<S> inside = difference.inside();
   Vec3<S> n = -inside;
@@ -182,13 +182,12 @@ PortalAnswer<S> portal_overlap(const D& difference) {
   q = select(turned, first, q);
   Vec3<S> r = q;
   Mask open = !answer.apart, portal = none, behind = none;  // `portal`: the ray goes through it
-  for (int step = 2; step < portal_steps && any(open); ++step) {
+  for (int step = 2; step < mpr_steps && any(open); ++step) {
     // Along the normal of the portal, or, before there is one, of the plane through the inside, p and q.
     const Vec3<S> from = select(portal, p, inside);
     n = cross(select(portal, q, p) - from, select(portal, r, q) - from);
     const S ahead = dot(n, from);
-    const auto in =
-        portal & open & (ahead > S(0)) & (ahead * ahead > S(portal_slack * portal_slack) * length_squared(n));
+    const auto in = portal & open & (ahead > S(0)) & (ahead * ahead > S(mpr_slack * mpr_slack) * length_squared(n));
     const Vec3<S> found = difference.support(n);
     const auto out = open & before(n, found);
     behind = behind | in;

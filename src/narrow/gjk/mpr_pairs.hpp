@@ -14,49 +14,49 @@
 namespace graze {
 
 /// Kinds of cores for the kernel.
-enum class PortalSide : std::uint8_t {
+enum class MprShape : std::uint8_t {
   sum,     ///< the Minkowski sum of a box and an ellipsoid, about one centre
   points,  ///< the hull of three points, which may be the same
-  hull,    ///< the hull of up to `most_portal_points` points
+  hull,    ///< the hull of up to `most_mpr_points` points
   none
 };
 /// Whether two sides stand in the order in which the kernel takes them: sums first, hulls last.
-constexpr bool in_portal_order(PortalSide first, PortalSide second) { return first <= second; }
+constexpr bool in_mpr_order(MprShape first, MprShape second) { return first <= second; }
 
 /// Number of pairs passed in at a time, a multiple of all numbers of lanes.
-inline constexpr std::size_t portal_chunk = 64;
+inline constexpr std::size_t mpr_chunk = 64;
 
 /// Hulls of more vertices take as long alone, where a scan has a register full of them.
-inline constexpr std::size_t most_portal_points = 16;
-static_assert(most_portal_points <= VertexBlock::size, "of a hull one block is read");
+inline constexpr std::size_t most_mpr_points = 16;
+static_assert(most_mpr_points <= VertexBlock::size, "of a hull one block is read");
 
-struct PortalPairs {
-  using Column = float[portal_chunk];
+struct MprPairs {
+  using Column = float[mpr_chunk];
 
   /// The columns of a side: for a sum the half extents, the radii, and the greatest radius of the ellipsoid at the
   /// box's bottom and at its top, of which one may be smaller than that of the radii; for points and hulls their
   /// coordinates.
-  static constexpr std::size_t of_a = 0, of_b = 3 * most_portal_points;
+  static constexpr std::size_t of_a = 0, of_b = 3 * most_mpr_points;
   /// The quaternions; the offset from A's origin to B's, in the world; the distance that counts as touching.
   static constexpr std::size_t turn_a = 2 * of_b, turn_b = turn_a + 4, way = turn_b + 4, reach = way + 3;
 
   Column column[reach + 1];
   /// The numbers of vertices of a side's hulls; the most of all, to which fewer are filled up with copies of the first.
   struct Vertices {
-    std::uint8_t count[portal_chunk];
+    std::uint8_t count[mpr_chunk];
     std::size_t most = 0;
   } vertices_a, vertices_b;
 
   /// Fills unused lanes up with the last of `count` pairs, and hulls up to as many vertices as the largest has.
-  void fill_up(std::size_t count, PortalSide a, PortalSide b) {
+  void fill_up(std::size_t count, MprShape a, MprShape b) {
     constexpr std::size_t most_lanes = 16, most_columns = 9;
     const std::size_t end = (count + most_lanes - 1) / most_lanes * most_lanes;
     const auto fill_lanes = [&](std::size_t begin, std::size_t columns) {
       for (std::size_t c = begin; c < begin + columns; ++c)
         std::fill(column[c] + count, column[c] + end, column[c][count - 1]);
     };
-    const auto fill_side = [&](std::size_t begin, PortalSide side, Vertices& vertices) {
-      if (side != PortalSide::hull) return fill_lanes(begin, most_columns);
+    const auto fill_side = [&](std::size_t begin, MprShape side, Vertices& vertices) {
+      if (side != MprShape::hull) return fill_lanes(begin, most_columns);
       vertices.most = *std::max_element(vertices.count, vertices.count + count);
       for (std::size_t k = 0; k < count; ++k)
         for (std::size_t c = 3u * vertices.count[k]; c < 3 * vertices.most; ++c)
@@ -71,14 +71,14 @@ struct PortalPairs {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// Tests up to `portal_chunk` pairs, filled up, for overlap: 1 or 0, or 2 where that is not proven.
-    template <PortalSide A, PortalSide B> void mpr_overlaps(const PortalPairs& pairs, std::size_t count,
+    /// Tests up to `mpr_chunk` pairs, filled up, for overlap: 1 or 0, or 2 where that is not proven.
+    template <MprShape A, MprShape B> void mpr_overlaps(const MprPairs& pairs, std::size_t count,
                                                                std::uint8_t* touch);)
 // clang-format on
 
 /// The entry of a pair in the columns from a first one on.
-struct PortalPlace {
-  PortalPairs::Column* columns;
+struct MprPlace {
+  MprPairs::Column* columns;
   std::size_t place;
 
   template <class T>
@@ -104,71 +104,71 @@ struct PortalPlace {
 };
 
 template <class T>
-void put_core(const Capsule<T>& capsule, const PortalPlace& to) {
+void put_core(const Capsule<T>& capsule, const MprPlace& to) {
   const T r = capsule.core_radius();
   to.put_axis(capsule.half_height(), capsule.radius_bottom() - r, capsule.radius_top() - r, false);
 }
 template <class T>
-void put_core(const Cylinder<T>& cylinder, const PortalPlace& to) {
+void put_core(const Cylinder<T>& cylinder, const MprPlace& to) {
   to.put_axis(cylinder.half_height(), cylinder.radius_bottom(), cylinder.radius_top(), true);
 }
 template <class T>
-void put_core(const Box<T>& box, const PortalPlace& to) {
+void put_core(const Box<T>& box, const MprPlace& to) {
   to.put(0, box.half_extents());
   to.put(3, Vec3<T>{});
   to.put(6, T(0)), to.put(7, T(0));
 }
 template <class T>
-void put_core(const Rectangle<T>& rectangle, const PortalPlace& to) {
+void put_core(const Rectangle<T>& rectangle, const MprPlace& to) {
   put_core(rectangle.as_box(), to);
 }
 template <class T>
-void put_core(const Ellipsoid<T>& ellipsoid, const PortalPlace& to) {
+void put_core(const Ellipsoid<T>& ellipsoid, const MprPlace& to) {
   const T widest = max_abs(ellipsoid.radii());
   to.put(0, Vec3<T>{});
   to.put(3, ellipsoid.radii());
   to.put(6, widest), to.put(7, widest);
 }
 template <class T>
-void put_core(const Sphere<T>& sphere, const PortalPlace& to) {
+void put_core(const Sphere<T>& sphere, const MprPlace& to) {
   for (const std::size_t first : {0, 3, 6}) to.put(first, sphere.center());
 }
 template <class T>
-void put_core(const LineSegment<T>& segment, const PortalPlace& to) {
+void put_core(const LineSegment<T>& segment, const MprPlace& to) {
   to.put(0, segment.point(0)), to.put(3, segment.point(1)), to.put(6, segment.point(1));
 }
 template <class T>
-void put_core(const Triangle<T>& triangle, const PortalPlace& to) {
+void put_core(const Triangle<T>& triangle, const MprPlace& to) {
   for (const std::size_t i : {0, 1, 2}) to.put(3 * i, triangle.point(i));
 }
 
 template <class T>
-void put_core(const ConvexHull<T>& hull, const PortalPlace& to) {
+void put_core(const ConvexHull<T>& hull, const MprPlace& to) {
   const VertexBlock& block = hull.data().blocks.front();
   float* column = to.columns[0] + to.place;
   for (std::size_t k = 0; k < hull.data().vertices.size(); ++k)
-    for (const float* row : {block.x, block.y, block.z}) *column = row[k], column += portal_chunk;
+    for (const float* row : {block.x, block.y, block.z}) *column = row[k], column += mpr_chunk;
 }
 
 template <class C>
-inline constexpr PortalSide portal_side = PortalSide::none;
+inline constexpr MprShape mpr_shape = MprShape::none;
 template <class T>
-inline constexpr PortalSide portal_side<Capsule<T>> = PortalSide::sum;
+inline constexpr MprShape mpr_shape<Capsule<T>> = MprShape::sum;
 template <class T>
-inline constexpr PortalSide portal_side<Cylinder<T>> = PortalSide::sum;
+inline constexpr MprShape mpr_shape<Cylinder<T>> = MprShape::sum;
 template <class T>
-inline constexpr PortalSide portal_side<Box<T>> = PortalSide::sum;
+inline constexpr MprShape mpr_shape<Box<T>> = MprShape::sum;
 template <class T>
-inline constexpr PortalSide portal_side<Rectangle<T>> = PortalSide::sum;
+inline constexpr MprShape mpr_shape<Rectangle<T>> = MprShape::sum;
 template <class T>
-inline constexpr PortalSide portal_side<Ellipsoid<T>> = PortalSide::sum;
+inline constexpr MprShape mpr_shape<Ellipsoid<T>> = MprShape::sum;
 template <class T>
-inline constexpr PortalSide portal_side<Sphere<T>> = PortalSide::points;
+inline constexpr MprShape mpr_shape<Sphere<T>> = MprShape::points;
 template <class T>
-inline constexpr PortalSide portal_side<LineSegment<T>> = PortalSide::points;
+inline constexpr MprShape mpr_shape<LineSegment<T>> = MprShape::points;
 template <class T>
-inline constexpr PortalSide portal_side<Triangle<T>> = PortalSide::points;
+inline constexpr MprShape mpr_shape<Triangle<T>> = MprShape::points;
 template <class T>
-inline constexpr PortalSide portal_side<ConvexHull<T>> = PortalSide::hull;
+inline constexpr MprShape mpr_shape<ConvexHull<T>> = MprShape::hull;
 
 }  // namespace graze

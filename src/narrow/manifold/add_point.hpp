@@ -12,10 +12,11 @@ namespace graze {
 /// Appends a point, unless there is one with the same features, or at the same place: rounding splits a point in two
 /// where edges end about on a corner. Keeps the deeper of the two.
 template <class T>
-void add_point(const ContactPoint<T>& point, T together, Manifold<T>& manifold) {
+void add_point(const ContactPoint<T>& point, T most_merged, Manifold<T>& manifold) {
   for (ContactPoint<T>& known : manifold.points) {
     const auto near = [&](const Vec3<T>& p, const Vec3<T>& q) {
-      return std::abs(p.x - q.x) <= together && std::abs(p.y - q.y) <= together && std::abs(p.z - q.z) <= together;
+      return std::abs(p.x - q.x) <= most_merged && std::abs(p.y - q.y) <= most_merged &&
+             std::abs(p.z - q.z) <= most_merged;
     };
     const bool same = known.feature == point.feature || (near(known.a, point.a) && near(known.b, point.b));
     if (!same) continue;

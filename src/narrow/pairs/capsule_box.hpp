@@ -14,15 +14,16 @@ namespace graze {
 template <class S>
 S box_part_at(const PlacedBox<S>& box, const CoreDistance<S>& at, const S& near_other) {
   const Mat3<S> turn = rotation_of(box.pose.rotation);
-  return round::box_part(box.half, transposed_times(turn, -at.normal),
-                         transposed_times(turn, at.b + at.normal * box.radius - box.pose.translation), near_other);
+  return sphere_capsule::box_part(box.half, transposed_times(turn, -at.normal),
+                                  transposed_times(turn, at.b + at.normal * box.radius - box.pose.translation),
+                                  near_other);
 }
 
 /// The contact at the closest points. Only for capsules with a length, and boxes with one along every side. Pairs up to
 /// `limit` apart are classified: whether the capsule's side lies on the box.
 template <class S>
-RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const BoxDistance<S>& found,
-                                    const S& limit) {
+OneContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const BoxDistance<S>& found,
+                                  const S& limit) {
   using T = typename LaneOf<S>::type;
   const CoreDistance<S> at{found.at.distance, found.at.normal, found.at.a, found.at.b};
   const S up = dot(rotation_of(capsule.pose.rotation).column(1), at.normal), lean(face_lean<T>);
@@ -31,7 +32,7 @@ RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox
           select(found.proven, select(lies, S(0), S(1)), S(-1))};
 }
 
-namespace round {
+namespace sphere_capsule {
 
 /// A capsule in front of the face of a box that leans least from the normal, in coordinates of that face: its axis
 /// comes last and points out of the box.
@@ -65,7 +66,7 @@ struct CapsuleOnFace {
   }
 };
 
-}  // namespace round
+}  // namespace sphere_capsule
 
 /// The contacts of a capsule whose side lies on the box: its axis clipped by the face. `at`: the closest points, as
 /// rounded to T, the scalar of the shapes. `margin`: largest distance of contacts. Only for pairs within the margin of
@@ -78,7 +79,7 @@ SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& 
   using Mask = decltype(S() < S());
   const S zero(0), one(1), half = capsule.half.y, radii = capsule.radius + box.radius;
   const Vec3<S> axis = rotation_of(capsule.pose.rotation).column(1);
-  const round::CapsuleOnFace<S> on(capsule, axis, box, at.normal);
+  const sphere_capsule::CapsuleOnFace<S> on(capsule, axis, box, at.normal);
   const Vec3<S>&h = on.half, &m = on.middle, &c = on.axis;
 
   // Along the face's normal where that shows about the whole distance, as on the general path.
@@ -90,13 +91,13 @@ SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& 
   const Vec3<S> v{select(by_face, zero, on.toward.x), select(by_face, zero, on.toward.y),
                   select(by_face, one, on.toward.z)};
   const S up = dot(c, v), steep = one / v.z;
-  const round::Side<S> side{half, capsule.radius, -up, one - up * up};
-  const S near = least(side.near_end(), round::near_rim(h, v)),
+  const sphere_capsule::Side<S> side{half, capsule.radius, -up, one - up * up};
+  const S near = least(side.near_end(), sphere_capsule::near_rim(h, v)),
           slack = S(Lane(along_rim)) * sqrt(near) + S(Lane(normal_rounding<T>)) * (radii + smaller);
 
   const Vec3<S> down = v * steep;
   const Vec3<S> foot = m - down * (m.z - h.z), pace = c - down * c.z;
-  round::Stretch<S> stretch(half);
+  sphere_capsule::Stretch<S> stretch(half);
   stretch.cut(foot.x, pace.x, h.x, slack);
   stretch.cut(foot.y, pace.y, h.y, slack);
 
@@ -108,8 +109,8 @@ SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& 
     slot.distance = (m.z + c.z * along - h.z) * steep - (rise + box.radius);
     slot.a = capsule.pose.translation + (axis * along + found.normal * rise);
     slot.b = slot.a + found.normal * slot.distance;
-    slot.place = feature_place(round::part_at(along, half, side.seen, near),
-                               on.part + round::rims_part(h, v, foot + pace * along, near));
+    slot.place = feature_place(sphere_capsule::part_at(along, half, side.seen, near),
+                               on.part + sphere_capsule::rims_part(h, v, foot + pace * along, near));
     return rise >= zero;
   };
   const S lean_most(static_cast<Lane>(face_lean<T>));
@@ -117,16 +118,16 @@ SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& 
   const Mask first = meet & put(found.slots[0], stretch.low), second = meet & put(found.slots[1], stretch.high);
   const S noise = S(box_rounding<Lane>) * (size_a + size_b + abs(at.distance));
   const Mask faces =
-      round::keep_points(found, first, second, greatest(margin, at.distance + noise), S(Lane(tolerance<T>)) * smaller,
-                         at.distance + S(Lane(face_preference)) * smaller);
+      sphere_capsule::keep_points(found, first, second, greatest(margin, at.distance + noise),
+                                  S(Lane(tolerance<T>)) * smaller, at.distance + S(Lane(face_preference)) * smaller);
   if (!all(faces)) {
     const S up_there = dot(axis, at.normal);
-    const round::Side<S> there{half, capsule.radius, up_there, one - up_there * up_there};
+    const sphere_capsule::Side<S> there{half, capsule.radius, up_there, one - up_there * up_there};
     const Vec3<S> from_middle = at.a - at.normal * capsule.radius - capsule.pose.translation;
-    const S part_a = round::part_at(dot(from_middle, axis), half, there.seen,
-                                    least(there.near_end(), round::near_rim(h, on.toward)));
+    const S part_a = sphere_capsule::part_at(dot(from_middle, axis), half, there.seen,
+                                             least(there.near_end(), sphere_capsule::near_rim(h, on.toward)));
     const S part_b = box_part_at(box, at, there.near_end());
-    round::put_closest(found, faces, at, feature_place(part_a, part_b));
+    sphere_capsule::put_closest(found, faces, at, feature_place(part_a, part_b));
   }
   // For a rounded box only contacts over its face are known.
   found.filled = select(by_face | (box.radius == zero), found.filled, zero);
@@ -135,7 +136,7 @@ SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& 
 
 /// The contact, computed in double as the distance is.
 template <class T>
-RoundContact<T> round_contact(const Rounded<AxisCore<T>, T>& a, const Pose<T>& pose_a, const Rounded<BoxCore<T>, T>& b,
+OneContact<T> closest_contact(const Rounded<AxisCore<T>, T>& a, const Pose<T>& pose_a, const Rounded<BoxCore<T>, T>& b,
                               const Pose<T>& pose_b, const T& margin) {
   const auto capsule = converted<double>(placed_box(a, pose_a)), box = converted<double>(placed_box(b, pose_b));
   return converted<T>(

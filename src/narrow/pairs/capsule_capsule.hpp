@@ -12,7 +12,7 @@ struct CapsuleCapsule : OneContactPair<Capsule, Capsule> {
     const CoreDistance<T> closest = take_closest(manifold);
     return put_sides(side_contact(rounded_core(a.shape, a.rounding()), a.pose, rounded_core(b.shape, b.rounding()),
                                   b.pose, closest, margin),
-                     ids_with_round, manifold);
+                     ids_with_sphere_capsule, manifold);
   }
 };
 

@@ -68,7 +68,7 @@ class CapsuleAndTriangle {
     along_ = select(before, along_, place.along);
   }
 
-  RoundAndTriangle<S> pair_;
+  SphereCapsuleAndTriangle<S> pair_;
   S half_, along_{};  ///< `along_`: position on the axis of the nearest point
   Vec3<S> axis_{};
   NearTriangle<S> near_{};

@@ -10,14 +10,14 @@
 
 namespace graze {
 
-namespace round {
+namespace sphere_capsule {
 
 /// A capsule whose side touches a triangle.
 template <class S>
 struct CapsuleOnTriangle {
   using Mask = decltype(S() < S());
 
-  const RoundAndTriangle<S> pair;
+  const SphereCapsuleAndTriangle<S> pair;
   const CoreDistance<S>& at;  ///< closest points, as rounded
   S half, radii, smaller, noise;
   Vec3<S> axis;                  ///< axis of the capsule, in the world
@@ -46,8 +46,9 @@ struct CapsuleOnTriangle {
   Side<S> side(const S& up) const { return {half, pair.radius_round, -up, S(1) - up * up}; }
   /// The position along the axis of the capsule's closest point.
   S closest_along() const { return dot(at.a - at.normal * pair.radius_round - pair.origin, axis); }
-  Mask keep(SegmentContact<S>& found, const Mask& first, const Mask& second, const S& margin, double together) const {
-    return keep_points(found, first, second, greatest(margin, at.distance + noise), S(together) * smaller,
+  Mask keep(SegmentContact<S>& found, const Mask& first, const Mask& second, const S& margin,
+            double most_merged) const {
+    return keep_points(found, first, second, greatest(margin, at.distance + noise), S(most_merged) * smaller,
                        at.distance + S(face_preference) * smaller);
   }
 
@@ -133,7 +134,7 @@ struct CapsuleOnTriangle {
   }
 };
 
-}  // namespace round
+}  // namespace sphere_capsule
 
 /// The contacts of a capsule whose side touches. `at`: the closest points, as rounded to the scalar of the shapes.
 /// `margin`: largest distance of contacts. `lies`: the lanes to be answered, pairs within the margin of each other;
@@ -143,7 +144,7 @@ SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& capsule, const Pos
                                const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle,
                                const CoreDistance<S>& at, const S& margin, const M& lies,
                                const AnswerRounding& rounded) {
-  const round::CapsuleOnTriangle<S> on(capsule, pose, triangle, pose_triangle, at);
+  const sphere_capsule::CapsuleOnTriangle<S> on(capsule, pose, triangle, pose_triangle, at);
   const auto whole = on.pair.triangle.seen_whole(on.facing);
   if (!any(lies & (!whole))) return on.on_face(margin, lies, rounded);
   const SegmentContact<S> edge = on.along_edge(margin, rounded);

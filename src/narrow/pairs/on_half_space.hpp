@@ -22,7 +22,7 @@ T resting_contacts(const C& body, T margin_body, const Pose<T>& pose_body, T mar
   const Rest<T> found = rest(rounded_core(body, margin_body), pose_body, margin_plane, pose_plane, margin);
   manifold.normal = -found.up;
   each_half_space_point<T>(
-      static_cast<unsigned>(found.filled), points_together(body, margin_body),
+      static_cast<unsigned>(found.filled), merge_distance(body, margin_body),
       [&](std::size_t i) { return found.slots[i]; }, [&](const ContactPoint<T>& p) { manifold.points.push_back(p); });
   return found.distance;
 }
@@ -72,7 +72,7 @@ struct OnHalfSpace {
   /// Whether a kind's contacts are at its corners, or at the ends of its axis.
   template <class T>
   static constexpr bool has_slots = requires(const Kind<T>& shape) {
-    points_together(shape, T());
+    merge_distance(shape, T());
   };
   static constexpr bool closed_form_rows = has_slots<float>, half_space_kernels = has_slots<float>;
 

@@ -70,7 +70,7 @@ struct SegmentPoints {
   }
 };
 
-namespace round {
+namespace sphere_capsule {
 
 /// Distance from the end of a side within which a point counts as at the end, squared, relative to the square of the
 /// length.
@@ -115,7 +115,7 @@ struct Side {
   }
   S rise(const S& along) const { return rise(along, S(0), S(0)); }
   /// The squared distance within which an end counts.
-  S near_end() const { return S(4) * S(round::near_end<S>) * (half * half * seen); }
+  S near_end() const { return S(4) * S(sphere_capsule::near_end<S>) * (half * half * seen); }
 };
 
 /// The stretch of a segment about its middle that remains when the bounds of a face clip it.
@@ -155,14 +155,14 @@ struct Stretch {
 };
 
 /// Keeps of the two points those up to `limit` apart, and of two with the same features or at the same place, up to
-/// `together`, the deeper. Returns where that leaves a point and one is as near as `nearest`: elsewhere the closest
+/// `most_merged`, the deeper. Returns where that leaves a point and one is as near as `nearest`: elsewhere the closest
 /// points of the shapes serve better.
 template <class S, class M>
-M keep_points(SegmentContact<S>& found, const M& first, const M& second, const S& limit, const S& together,
+M keep_points(SegmentContact<S>& found, const M& first, const M& second, const S& limit, const S& most_merged,
               const S& nearest) {
   const S zero(0), one(1);
   const auto &p = found.slots[0], &q = found.slots[1];
-  const auto near = [&](const Vec3<S>& a, const Vec3<S>& b) { return max_abs(a - b) <= together; };
+  const auto near = [&](const Vec3<S>& a, const Vec3<S>& b) { return max_abs(a - b) <= most_merged; };
   const M within = first & (p.distance <= limit), within_too = second & (q.distance <= limit),
           same = within & within_too & ((p.place == q.place) | (near(p.a, q.a) & near(p.b, q.b))),
           deeper = q.distance < p.distance;
@@ -248,6 +248,6 @@ struct SidesAlong {
   }
 };
 
-}  // namespace round
+}  // namespace sphere_capsule
 
 }  // namespace graze

@@ -13,7 +13,7 @@ template <class A, class B, class T>
   using Pairs = PairBundle<A, B, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
-    const RoundContact<S> c = round_contact(p.a, p.pose_a, p.b, p.pose_b, p.margin);
+    const OneContact<S> c = closest_contact(p.a, p.pose_a, p.b, p.pose_b, p.margin);
     const S weight = contact_weight(p.a, p.b);
     const S meeting = put_all<A, B>(c, p.margin, weight, contacts + first, meetings + first);
     if constexpr (lies_on_sides<A>) {

@@ -16,14 +16,14 @@ namespace graze {
 
 /// The closest points of two shapes as their one point of contact.
 template <class S>
-struct RoundContact {
+struct OneContact {
   CoreDistance<S> at;
-  S part_a, part_b;  ///< parts of A and of B: indices into `round_features`, for a box into `box_features`
+  S part_a, part_b;  ///< parts of A and of B: indices into `sphere_capsule_features`, for a box into `box_features`
   S known;           ///< 1: the only point; 0: there may be two, found by `side_contact`; -1: nothing is known
 };
 
 template <class T, class S>
-RoundContact<T> converted(const RoundContact<S>& c) {
+OneContact<T> converted(const OneContact<S>& c) {
   const CoreDistance<S>& at = c.at;
   return {{static_cast<T>(at.distance), converted<T>(at.normal), converted<T>(at.a), converted<T>(at.b)},
           static_cast<T>(c.part_a),
@@ -32,11 +32,11 @@ RoundContact<T> converted(const RoundContact<S>& c) {
 }
 
 /// Features of the parts of a ball or a capsule.
-inline constexpr std::uint16_t round_features[] = {static_cast<std::uint16_t>(vertex_feature(0)),
-                                                   static_cast<std::uint16_t>(vertex_feature(1)),
-                                                   static_cast<std::uint16_t>(edge_feature(0, 1))};
+inline constexpr std::uint16_t sphere_capsule_features[] = {static_cast<std::uint16_t>(vertex_feature(0)),
+                                                            static_cast<std::uint16_t>(vertex_feature(1)),
+                                                            static_cast<std::uint16_t>(edge_feature(0, 1))};
 
-namespace round {
+namespace sphere_capsule {
 
 /// A capsule's segment as a face seen along a unit vector: the side where that leans little from the normal plane of
 /// the axis, else an end.
@@ -66,7 +66,8 @@ struct SegmentFace {
   /// The part that the point lies on. `near_squared`: squared distance within which an end counts.
   S part(const S& near_squared) const {
     const auto end = [](const Mask& upper) { return select(upper, S(1), S(0)); };
-    return select(side, select(beside_squared <= near_squared, end(nearer_top), S(round::side_part)), end(top));
+    return select(side, select(beside_squared <= near_squared, end(nearer_top), S(sphere_capsule::side_part)),
+                  end(top));
   }
 };
 
@@ -103,19 +104,19 @@ S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
 }
 
 template <class S>
-void find_parts(const SphereCapsulePair<PointCore<S>, PointCore<S>, S>&, const CoreDistance<S>&, RoundContact<S>& c) {
+void find_parts(const SphereCapsulePair<PointCore<S>, PointCore<S>, S>&, const CoreDistance<S>&, OneContact<S>& c) {
   c.part_a = c.part_b = S(0);
 }
 template <class S>
 void find_parts(const SphereCapsulePair<PointCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core,
-                RoundContact<S>& c) {
+                OneContact<S>& c) {
   const SegmentFace<S> face(p.b, -core.normal, core.b);
   c.part_a = S(0);
   c.part_b = face.part(S(near_end<S>) * face.length_squared);
 }
 template <class S>
 void find_parts(const SphereCapsulePair<AxisCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core,
-                RoundContact<S>& c) {
+                OneContact<S>& c) {
   using T = typename LaneOf<S>::type;
   const SegmentFace<S> a(p.a, core.normal, core.a), b(p.b, -core.normal, core.b);
   const S across = dot(cross(p.a.axis, p.b.axis), core.normal);
@@ -128,12 +129,12 @@ void find_parts(const SphereCapsulePair<AxisCore<S>, AxisCore<S>, S>& p, const C
   c.part_b = b.part(near);
 }
 template <class S>
-void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
+void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, OneContact<S>& c) {
   c.part_a = S(0);
   c.part_b = box_part(p.box.half, core.normal, core.a);
 }
 
-/// Whether `round_contact` takes the shape.
+/// Whether `closest_contact` takes the shape.
 template <class T>
 bool regular(const Sphere<T>&) {
   return true;
@@ -148,9 +149,9 @@ bool regular(const Box<T>& box) {
   return least(half.x, least(half.y, half.z)) > T(0);
 }
 
-}  // namespace round
+}  // namespace sphere_capsule
 
-/// The index of the features of two parts in `RoundFeatureIds`, exact in any number type.
+/// The index of the features of two parts in `ContactFeatureIds`, exact in any number type.
 template <class S>
 S feature_place(const S& part_a, const S& part_b) {
   return part_a * S(typename LaneOf<S>::type(box_part_count)) + part_b;
@@ -159,7 +160,7 @@ S feature_place(const S& part_a, const S& part_b) {
 /// The contact at the closest points. Pairs further apart than `margin` get only a distance and its normal. Only for
 /// capsules with a length and boxes with one along every side.
 template <class A, class B, class S>
-RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
+OneContact<S> closest_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
                               const Pose<S>& pose_b, const S& margin) {
   // Not `const`: g++ keeps a constant structure in memory, and a wide load of numbers that were stored one by one waits
   // for the stores.
@@ -170,8 +171,8 @@ RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, con
   if (!any(gap - pair.radii() <= margin))
     return {pair.in_world({gap, direction_of(between, gap), nearest.a, nearest.b}), S(0), S(0), S(1)};
   CoreDistance<S> core = pair.core(nearest);
-  RoundContact<S> contact{pair.in_world(core), S(0), S(0), S(1)};
-  round::find_parts(pair, core, contact);
+  OneContact<S> contact{pair.in_world(core), S(0), S(0), S(1)};
+  sphere_capsule::find_parts(pair, core, contact);
   return contact;
 }
 
@@ -187,7 +188,7 @@ SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S
   const auto pair = sphere_capsule_pair(of_a, pose_a, of_b, pose_b);
   const TurnedAxis<S>&a = pair.a, &b = pair.b;
   const Vec3<S>& n = closest.normal;
-  const round::SidesAlong<S> sides(a, pair.radius_a, b, pair.radius_b, n);
+  const sphere_capsule::SidesAlong<S> sides(a, pair.radius_a, b, pair.radius_b, n);
   const S smaller = least(a.half + pair.radius_a, b.half + pair.radius_b);
   SegmentContact<S> found;
   found.distance = closest.distance;
@@ -198,12 +199,12 @@ SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S
 
   const S& distance = closest.distance;
   const S noise = S(box_rounding<T>) * (a.half + b.half + pair.radii() + abs(distance));
-  const Mask faces = round::keep_points(found, first, second, greatest(margin, distance + noise),
-                                        S(tolerance<T>) * smaller, distance + S(T(face_preference)) * smaller);
+  const Mask faces = sphere_capsule::keep_points(found, first, second, greatest(margin, distance + noise),
+                                                 S(tolerance<T>) * smaller, distance + S(T(face_preference)) * smaller);
   if (!all(faces)) {
     const S on_a = dot(closest.a - pair.origin - n * pair.radius_a, a.axis),
             on_b = dot(closest.b - pose_b.translation + n * pair.radius_b, b.axis);
-    round::put_closest(found, faces, closest, place(sides.part_a(on_a), sides.part_b(on_b)));
+    sphere_capsule::put_closest(found, faces, closest, place(sides.part_a(on_a), sides.part_b(on_b)));
   }
   return found;
 }
@@ -234,28 +235,28 @@ inline constexpr bool always_one_point<Sphere<T>, Sphere<T>> = true;
 
 /// The features of a sphere or capsule with another shape: those of the parts i and j are at index 54 i + j. Not
 /// inline: kernels of different instruction sets share nothing.
-struct RoundFeatureIds {
-  std::uint32_t of[std::size(round_features) * box_part_count]{};
+struct ContactFeatureIds {
+  std::uint32_t of[std::size(sphere_capsule_features) * box_part_count]{};
   template <class Name, std::size_t size>
-  constexpr explicit RoundFeatureIds(const Name (&parts_b)[size]) {
-    for (std::size_t i = 0; i < std::size(round_features); ++i)
+  constexpr explicit ContactFeatureIds(const Name (&parts_b)[size]) {
+    for (std::size_t i = 0; i < std::size(sphere_capsule_features); ++i)
       for (std::size_t j = 0; j < box_part_count; ++j)
-        of[i * box_part_count + j] = feature_id(round_features[i], parts_b[j % size]);
+        of[i * box_part_count + j] = feature_id(sphere_capsule_features[i], parts_b[j % size]);
   }
 };
-static constexpr RoundFeatureIds ids_with_round(round_features), ids_with_box(box_features.of),
+static constexpr ContactFeatureIds ids_with_sphere_capsule(sphere_capsule_features), ids_with_box(box_features.of),
     ids_with_triangle(triangle_features);
 /// The features of a sphere or capsule with a shape of the pointer's kind.
 template <class C>
-constexpr const RoundFeatureIds& feature_ids_with(const C*) {
-  return ids_with_round;
+constexpr const ContactFeatureIds& feature_ids_with(const C*) {
+  return ids_with_sphere_capsule;
 }
 template <class T>
-constexpr const RoundFeatureIds& feature_ids_with(const Box<T>*) {
+constexpr const ContactFeatureIds& feature_ids_with(const Box<T>*) {
   return ids_with_box;
 }
 template <class T>
-constexpr const RoundFeatureIds& feature_ids_with(const Triangle<T>*) {
+constexpr const ContactFeatureIds& feature_ids_with(const Triangle<T>*) {
   return ids_with_triangle;
 }
 /// Features of the parts of one shape, in a table that fits in registers.
@@ -268,11 +269,12 @@ struct PartNames {
     for (std::size_t i = 0; i < count; ++i) of[i] = names[i];
   }
 };
-static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);
+static constexpr PartNames<16> sphere_capsule_part_names(sphere_capsule_features),
+    triangle_part_names(triangle_features);
 /// The features of the parts of a shape of the pointer's kind.
 template <class C>
 constexpr const auto& part_names_of(const C*) {
-  return round_part_names.of;
+  return sphere_capsule_part_names.of;
 }
 template <class T>
 constexpr const auto& part_names_of(const Box<T>*) {
@@ -284,7 +286,7 @@ constexpr const auto& part_names_of(const Triangle<T>*) {
 }
 
 template <class T, class M>
-std::optional<T> put_sides(const SegmentContact<T>& found, const RoundFeatureIds& features, M& manifold) {
+std::optional<T> put_sides(const SegmentContact<T>& found, const ContactFeatureIds& features, M& manifold) {
   if (found.filled == T(0)) return std::nullopt;
   const SegmentPoints<T> points{found, features.of, false};
   manifold.normal = points.normal();
@@ -300,13 +302,13 @@ auto take_closest(M& manifold) {
   return CoreDistance<std::remove_cvref_t<decltype(point.distance)>>{point.distance, manifold.normal, point.a, point.b};
 }
 
-/// The single point of contact of shapes in place, which `round_contact` must take. Nothing where the answer is
+/// The single point of contact of shapes in place, which `closest_contact` must take. Nothing where the answer is
 /// incomplete; where there may be two points, the manifold then holds the closest points.
 template <class A, class B, class T, class M>
 std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, M& manifold) {
   const auto of_a = rounded_core(a.shape, a.rounding());
   const auto of_b = rounded_core(b.shape, b.rounding());
-  RoundContact<T> found = round_contact(of_a, a.pose, of_b, b.pose, margin);
+  OneContact<T> found = closest_contact(of_a, a.pose, of_b, b.pose, margin);
   if (found.known < T(0)) return std::nullopt;
   const CoreDistance<T>& at = found.at;
   // The direction between disjoint shapes is of use only to queries on composites.
@@ -323,10 +325,10 @@ std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T m
   return at.distance;
 }
 
-/// `one_contact` for shapes that `round_contact` takes; nothing for others.
+/// `one_contact` for shapes that `closest_contact` takes; nothing for others.
 template <class A, class B, class T, class M>
 std::optional<T> regular_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, M& manifold) {
-  if (!round::regular(a.shape) || !round::regular(b.shape)) return std::nullopt;
+  if (!sphere_capsule::regular(a.shape) || !sphere_capsule::regular(b.shape)) return std::nullopt;
   return one_contact(a, b, margin, manifold);
 }
 

@@ -16,14 +16,14 @@ namespace detail {
 
 /// A sphere or capsule on a half-space whose surface has the height `plane` in its own frame.
 template <class S>
-struct RoundRest {
+struct SphereCapsuleRest {
   const Pose<S>& pose;
   Pose<S> seen;  ///< pose in the half-space's frame
   Vec3<S> up;    ///< in the world
   Vec3<S> down;  ///< in the body's frame
   S plane, radius;
 
-  RoundRest(const Pose<S>& pose_body, const S& rounding, const S& height, const Pose<S>& plane_pose)
+  SphereCapsuleRest(const Pose<S>& pose_body, const S& rounding, const S& height, const Pose<S>& plane_pose)
       : pose(pose_body), seen(relative(plane_pose, pose_body)), plane(height), radius(rounding) {
     const Vec3<S> plane_up{S(0), S(1), S(0)};
     up = rotate(plane_pose.rotation, plane_up);
@@ -43,7 +43,7 @@ struct RoundRest {
 template <class S>
 Rest<S> rest(const Rounded<PointCore<S>, S>& ball, const Pose<S>& pose, const S& plane, const Pose<S>& plane_pose,
              const S& margin) {
-  const detail::RoundRest<S> body(pose, ball.radius, plane, plane_pose);
+  const detail::SphereCapsuleRest<S> body(pose, ball.radius, plane, plane_pose);
   Rest<S> found;
   found.distance = body.distance_at(ball.core.point);
   found.up = body.up;
@@ -58,7 +58,7 @@ Rest<S> rest(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose, const 
              const S& margin) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
-  const detail::RoundRest<S> body(pose, capsule.radius, plane, plane_pose);
+  const detail::SphereCapsuleRest<S> body(pose, capsule.radius, plane, plane_pose);
   const S zero(0), one(1), half = capsule.core.half_height, length = half * S(2), radius = capsule.radius;
   const S along = body.down.y, steep = body.down.x * body.down.x + body.down.z * body.down.z;
   const auto lies = abs(along) <= S(face_lean<T>), top = along > zero;

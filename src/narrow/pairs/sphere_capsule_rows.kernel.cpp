@@ -12,7 +12,7 @@ template <class A, class B, class T>
   RowCounts counts{0, 0, 0};
   for (std::size_t first = 0; first < count; first += lanes) {
     const RowBundle<A, B, T> p(rows, first);
-    const RoundContact<S> c = round_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, S(margin));
+    const OneContact<S> c = closest_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, S(margin));
     const S weight = contact_weight(p.a.shapes, p.b.shapes);
     put_rows(
         p, c, weight, margin, turned, first, count, to,

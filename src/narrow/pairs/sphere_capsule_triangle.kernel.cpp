@@ -18,13 +18,13 @@ using Triangles = Rounded<TriangleCore<L>, L>;
 /// The contacts of a register of pairs, each compiled once for all callers.
 [[gnu::noinline, gnu::flatten]] void answer(const Rounded<PointCore<S>, S>& ball, const Pose<S>& pose,
                                             const Triangles<S>& triangle, const Pose<S>& pose_triangle, const S& limit,
-                                            RoundContact<S>& found) {
-  found = round_triangle_contact(BallAndTriangle<S>(ball, pose, triangle, pose_triangle), limit);
+                                            OneContact<S>& found) {
+  found = closest_triangle_contact(BallAndTriangle<S>(ball, pose, triangle, pose_triangle), limit);
 }
 [[gnu::noinline, gnu::flatten]] void answer(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
                                             const Triangles<S>& triangle, const Pose<S>& pose_triangle, const S& limit,
-                                            RoundContact<S>& found) {
-  found = round_triangle_contact(CapsuleAndTriangle<S>(capsule, pose, triangle, pose_triangle), limit);
+                                            OneContact<S>& found) {
+  found = closest_triangle_contact(CapsuleAndTriangle<S>(capsule, pose, triangle, pose_triangle), limit);
 }
 
 [[gnu::noinline, gnu::flatten]] void answer_lying(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
@@ -36,10 +36,10 @@ using Triangles = Rounded<TriangleCore<L>, L>;
 
 /// The contacts of the first `count` lanes. Parts are found for pairs within their margins only.
 template <class T, class Core>
-RoundContact<Lanes<T>> contacts_of(const Rounded<Core, Lanes<T>>& a, const Pose<Lanes<T>>& pose_a,
-                                   const Triangles<Lanes<T>>& b, const Pose<Lanes<T>>& pose_b, const Lanes<T>& margin,
-                                   std::size_t count) {
-  RoundContact<S> found[parts_of<T>]{};
+OneContact<Lanes<T>> contacts_of(const Rounded<Core, Lanes<T>>& a, const Pose<Lanes<T>>& pose_a,
+                                 const Triangles<Lanes<T>>& b, const Pose<Lanes<T>>& pose_b, const Lanes<T>& margin,
+                                 std::size_t count) {
+  OneContact<S> found[parts_of<T>]{};
   visit_parts<T>(count, [&](auto part) {
     answer(in_double<part>(a), in_double<part>(pose_a), in_double<part>(b), in_double<part>(pose_b),
            before_rounding<T>(lanes_in_double<part>(margin)), found[part]);
@@ -50,15 +50,15 @@ RoundContact<Lanes<T>> contacts_of(const Rounded<Core, Lanes<T>>& a, const Pose<
     return joined(parts);
   };
   const auto vector = [&](auto member) {
-    return Vec3<Lanes<T>>{number([=](const RoundContact<S>& c) { return (c.at.*member).x; }),
-                          number([=](const RoundContact<S>& c) { return (c.at.*member).y; }),
-                          number([=](const RoundContact<S>& c) { return (c.at.*member).z; })};
+    return Vec3<Lanes<T>>{number([=](const OneContact<S>& c) { return (c.at.*member).x; }),
+                          number([=](const OneContact<S>& c) { return (c.at.*member).y; }),
+                          number([=](const OneContact<S>& c) { return (c.at.*member).z; })};
   };
-  return {{number([](const RoundContact<S>& c) { return c.at.distance; }), vector(&CoreDistance<S>::normal),
+  return {{number([](const OneContact<S>& c) { return c.at.distance; }), vector(&CoreDistance<S>::normal),
            vector(&CoreDistance<S>::a), vector(&CoreDistance<S>::b)},
-          number([](const RoundContact<S>& c) { return c.part_a; }),
-          number([](const RoundContact<S>& c) { return c.part_b; }),
-          number([](const RoundContact<S>& c) { return c.known; })};
+          number([](const OneContact<S>& c) { return c.part_a; }),
+          number([](const OneContact<S>& c) { return c.part_b; }),
+          number([](const OneContact<S>& c) { return c.known; })};
 }
 template <std::size_t part, class L>
 CoreDistance<S> distance_in_double(const CoreDistance<L>& d) {
@@ -68,7 +68,7 @@ CoreDistance<S> distance_in_double(const CoreDistance<L>& d) {
 /// Writes the contacts of capsules that lie on their sides, for the given lanes, one behind the other.
 template <class T>
 void put_lying(const Rounded<AxisCore<Lanes<T>>, Lanes<T>>& a, const Pose<Lanes<T>>& pose_a,
-               const Triangles<Lanes<T>>& b, const Pose<Lanes<T>>& pose_b, const RoundContact<Lanes<T>>& c,
+               const Triangles<Lanes<T>>& b, const Pose<Lanes<T>>& pose_b, const OneContact<Lanes<T>>& c,
                const Lanes<T>& margin, std::uint32_t lying, SegmentContact<T>* to) {
   visit_parts<T>(lanes_of<T>, [&](auto part) {
     const std::uint32_t bits = lying >> (part * lanes_of<double>)&Chosen<double>::all;
@@ -86,7 +86,7 @@ void put_lying(const Rounded<AxisCore<Lanes<T>>, Lanes<T>>& a, const Pose<Lanes<
 template <class A, class T>
 using TriangleRows = RowBundle<A, Triangle<T>, T>;
 template <class A, class T>
-RoundContact<Lanes<T>> contacts_of(const TriangleRows<A, T>& p, const Lanes<T>& margin, std::size_t count) {
+OneContact<Lanes<T>> contacts_of(const TriangleRows<A, T>& p, const Lanes<T>& margin, std::size_t count) {
   return contacts_of<T>(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, margin, count);
 }
 

@@ -11,10 +11,10 @@ namespace graze {
 
 /// The contact at the closest points, with its parts up to `limit` apart. The distance of an unknown pair is -infinity.
 template <class S, class Pair>
-RoundContact<S> round_triangle_contact(const Pair& pair, const S& limit) {
+OneContact<S> closest_triangle_contact(const Pair& pair, const S& limit) {
   const S nothing(-std::numeric_limits<double>::infinity());
   const auto known = pair.known();
-  RoundContact<S> contact{pair.distance(), S(0), S(0), S(-1)};
+  OneContact<S> contact{pair.distance(), S(0), S(0), S(-1)};
   contact.at.distance = select(known, contact.at.distance, nothing);
   if (!any(known & (contact.at.distance <= limit))) return contact;
   contact.part_a = pair.part();
@@ -28,7 +28,7 @@ RoundContact<S> round_triangle_contact(const Pair& pair, const S& limit) {
 template <class T, class Pair, class M>
 std::optional<T> contact_of(const Pair& pair, T margin, M& manifold) {
   if (!pair.known()) return std::nullopt;
-  const auto found = round_triangle_contact(pair, before_rounding<T>(static_cast<double>(margin)));
+  const auto found = closest_triangle_contact(pair, before_rounding<T>(static_cast<double>(margin)));
   const CoreDistance<double>& at = found.at;
   const T distance = static_cast<T>(at.distance);
   if (std::is_same_v<M, Manifold<T>> || distance <= margin) put(converted<T>(at.normal), manifold.normal);

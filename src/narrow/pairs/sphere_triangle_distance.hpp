@@ -19,7 +19,7 @@ namespace graze {
 
 /// A triangle and a sphere or capsule, in a frame at the latter's origin along the world's axes.
 template <class S>
-struct RoundAndTriangle {
+struct SphereCapsuleAndTriangle {
   TriangleRegions<S> triangle;
   Mat3<S> turn;             ///< rotation of the triangle
   Vec3<S> origin, between;  ///< origin of that frame in the world, and its offset from the triangle's origin
@@ -27,8 +27,8 @@ struct RoundAndTriangle {
   S noise;  ///< rounding of a distance: `noise_of`
 
   /// `extent`: that of the sphere's or capsule's core.
-  RoundAndTriangle(const S& radius, const S& extent, const Pose<S>& pose, const Rounded<TriangleCore<S>, S>& of,
-                   const Pose<S>& pose_triangle)
+  SphereCapsuleAndTriangle(const S& radius, const S& extent, const Pose<S>& pose, const Rounded<TriangleCore<S>, S>& of,
+                           const Pose<S>& pose_triangle)
       : triangle(of.core),
         turn(rotation_of(pose_triangle.rotation)),
         origin(pose.translation),
@@ -78,7 +78,7 @@ class BallAndTriangle {
   S triangle_part() const { return pair_.triangle.part(near_.place, near_.outward); }
 
  private:
-  RoundAndTriangle<S> pair_;
+  SphereCapsuleAndTriangle<S> pair_;
   Vec3<S> center_{S(0), S(0), S(0)};
   NearTriangle<S> near_{};
 };

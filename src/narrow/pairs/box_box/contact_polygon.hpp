@@ -181,7 +181,7 @@ void simplify(ContactPolygon<S>& ring, const S& near) {
   using Mask = typename ContactPolygon<S>::Mask;
   using Places = FlatPoint<Some>;
   const S near_squared = near * near;
-  const Some together(S(same_point<T>) * near_squared), infinity{S(std::numeric_limits<T>::infinity())}, zero(S(0));
+  const Some most_merged(S(same_point<T>) * near_squared), infinity{S(std::numeric_limits<T>::infinity())}, zero(S(0));
   const auto places = [&](std::size_t i) { return Places{ring.some(ring.x, i), ring.some(ring.y, i)}; };
   // For a single pair the areas are summed up on demand: few have a corner to be removed.
   S budget(ContactPolygon<S>::single ? std::numeric_limits<T>::infinity() : T(0));
@@ -198,7 +198,7 @@ void simplify(ContactPolygon<S>& ring, const S& near) {
     ring.put(areas, i, select(are, p.x * q.y - p.y * q.x, zero));
     if constexpr (!ContactPolygon<S>::single) sum_up(i);
     // Duplicate corners are removed first, all at once but for one.
-    const Somes again = are & (distance_squared(p, q) <= together) & (!ring.stay(i));
+    const Somes again = are & (distance_squared(p, q) <= most_merged) & (!ring.stay(i));
     ring.drop(i, again);
   }
   if constexpr (!ContactPolygon<S>::single) spare();
@@ -213,7 +213,7 @@ void simplify(ContactPolygon<S>& ring, const S& near) {
     Somes movable = count < zero;
     for (std::size_t i = 0; i < ring.size(); i += step) {
       const Places before{x.before(i), y.before(i)}, p = places(i), after{x.after(i), y.after(i)};
-      const Somes again = least(distance_squared(before, p), distance_squared(p, after)) <= together;
+      const Somes again = least(distance_squared(before, p), distance_squared(p, after)) <= most_merged;
       const Some corner = select(again, zero, abs(cross(before, p, after)));
       const Somes may = ring.are(i) & (!ring.stay(i)) & of_many & (of_more | again) & (corner <= Some(budget)) &
                         (corner * corner <= Some(near_squared) * distance_squared(before, after));

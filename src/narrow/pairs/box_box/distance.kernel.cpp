@@ -39,7 +39,7 @@ template <class T>
       const S margin = lanes_in_double<part>(p.margin);
       BoxDistance<S> found;
       answer(a, b, found);
-      const RoundContact<S> c = capsule_box_contact(a, b, found, before_rounding<T>(margin));
+      const OneContact<S> c = capsule_box_contact(a, b, found, before_rounding<T>(margin));
       const S place = feature_place(c.part_a, c.part_b);
       const std::size_t begin = first + part * lanes_of<double>, end = first + p.count;
       std::uint32_t lying = 0;

@@ -100,9 +100,9 @@ class ContactPolygon<S> {
   Column x, y, apart;
 
   ContactPolygon(const Corners<S>& rectangle, const Corners<S>& parallelogram, bool p_first, bool q_first)
-      : all_x_(together(rectangle.x, parallelogram.x)),
-        all_y_(together(rectangle.y, parallelogram.y)),
-        all_apart_(together(rectangle.apart, parallelogram.apart)) {
+      : all_x_(column_of(rectangle.x, parallelogram.x)),
+        all_y_(column_of(rectangle.y, parallelogram.y)),
+        all_apart_(column_of(rectangle.apart, parallelogram.apart)) {
     take(static_cast<std::size_t>(p_first) + static_cast<std::size_t>(q_first),
          rectangle.are.bits() | parallelogram.are.bits() << 4);
   }
@@ -162,14 +162,14 @@ class ContactPolygon<S> {
 
  private:
   static S number(const Column& column, std::size_t i) { return some(column, i)[static_cast<int>(i) % step]; }
-  static Column together(const Packed<S, 4>& a, const Packed<S, 4>& b) {
+  static Column column_of(const Packed<S, 4>& a, const Packed<S, 4>& b) {
     if constexpr (step == 4)
       return {a, b};
     else
       return {joined(a, b)};
   }
   static Column of(const All& all) {
-    return together({all[0], all[1], all[2], all[3]}, {all[4], all[5], all[6], all[7]});
+    return column_of({all[0], all[1], all[2], all[3]}, {all[4], all[5], all[6], all[7]});
   }
   /// The slot numbers from `i` on.
   static Some numbers(std::size_t i) {

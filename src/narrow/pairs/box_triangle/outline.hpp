@@ -112,8 +112,8 @@ struct RectangleAndTriangle {
   Mask edge;   ///< the shape is an edge
   S rounding;  ///< rounding of a position
 
-  /// Finds the corners. Ends of an edge within `together` of each other, squared, are one.
-  void corners(Corner<S> (&slots)[most_contact_slots], const S& together) const {
+  /// Finds the corners. Ends of an edge within `most_merged` of each other, squared, are one.
+  void corners(Corner<S> (&slots)[most_contact_slots], const S& most_merged) const {
     const Mask none = half.x < S(0);
     const LineInterval<S> on[] = {on_side(side[0]), on_side(side[1]), on_side(side[2])};
     const auto at = [&](std::size_t i, const S& t, const Mask& is) {
@@ -121,7 +121,7 @@ struct RectangleAndTriangle {
     };
     slots[0] = at(0, on[0].low, on[0].is());
     slots[1] = at(0, on[0].high, on[0].is() & edge);
-    slots[1].is = slots[1].is & (distance_squared(slots[0].at, slots[1].at) > together);
+    slots[1].is = slots[1].is & (distance_squared(slots[0].at, slots[1].at) > most_merged);
     for (std::size_t i = 2; i < most_contact_slots; ++i) slots[i] = {{S(0), S(0)}, none};
     if (!any(whole)) return;
 

@@ -187,16 +187,17 @@ struct FrameAcross {
   FlatPoint<S> flat(const Vec3<S>& p) const { return {dot(p, u), dot(p, v)}; }
 };
 
-/// Whether any two corners are no further apart than `together` in x and in y.
+/// Whether any two corners are no further apart than `most_merged` in x and in y.
 template <class S>
-auto any_together(const ContactPolygon<S>& corners, const S& together) {
+auto any_merged(const ContactPolygon<S>& corners, const S& most_merged) {
   using std::abs;
   using Mask = decltype(S() < S());
-  Mask found = together < S(0);
+  Mask found = most_merged < S(0);
   for (std::size_t i = 1; i < least(corners.size(), std::size_t{6}); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const FlatPoint<S> p = corners.at(i), q = corners.at(k);
-      const Mask near = corners.has(i) & corners.has(k) & (abs(p.x - q.x) <= together) & (abs(p.y - q.y) <= together);
+      const Mask near =
+          corners.has(i) & corners.has(k) & (abs(p.x - q.x) <= most_merged) & (abs(p.y - q.y) <= most_merged);
       found = found | near;
     }
   return found;
@@ -256,7 +257,7 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
   const S allowed = select(along.gap, S(laid_slack) * noise, S(face_preference) * smaller);
   const Mask known = along.known & (along.in_point | clipped) & (found.filled > S(0)) &
                      (nearest <= m.distance + allowed) & (near > S(laid_slack) * noise) &
-                     (!detail::any_together(corners, S(rounded.point) * smaller));
+                     (!detail::any_merged(corners, S(rounded.point) * smaller));
   found.known = one_where<S>(known);
 }
 

@@ -17,19 +17,19 @@ namespace graze {
 /// The form of each kind for the kernel, and the pairs of kinds that use it: those whose `overlap` is GJK's. Other
 /// pairs have faster routines.
 template <class T>
-class PortalKinds {
+class MprKinds {
  public:
   struct Kind {
-    PortalSide side = PortalSide::none;
+    MprShape side = MprShape::none;
     /// Writes the core of a concrete shape to a side's columns; returns its rounding radius.
-    T (*put)(const void* concrete, const PortalPlace& to) = nullptr;
+    T (*put)(const void* concrete, const MprPlace& to) = nullptr;
     /// The number of a hull's vertices; null for other kinds.
     std::size_t (*vertices)(const void* concrete) = nullptr;
   };
-  constexpr PortalKinds() { set(std::make_index_sequence<Shape<T>::count>()); }
+  constexpr MprKinds() { set(std::make_index_sequence<Shape<T>::count>()); }
   constexpr const Kind& operator[](std::size_t kind) const { return kinds_[kind]; }
   constexpr bool asks(std::size_t a, std::size_t b) const {
-    if (kinds_[a].side == PortalSide::none || kinds_[b].side == PortalSide::none) return false;
+    if (kinds_[a].side == MprShape::none || kinds_[b].side == MprShape::none) return false;
     return hull(a) || hull(b) || smooth(a) || smooth(b) || (a == triangle && flat(b)) || (b == triangle && flat(a));
   }
 
@@ -41,20 +41,20 @@ class PortalKinds {
   template <class C>
   static constexpr Kind kind_of() {
     Kind kind;
-    if constexpr (portal_side<C> != PortalSide::none) {
-      kind.side = portal_side<C>;
-      kind.put = [](const void* concrete, const PortalPlace& to) {
+    if constexpr (mpr_shape<C> != MprShape::none) {
+      kind.side = mpr_shape<C>;
+      kind.put = [](const void* concrete, const MprPlace& to) {
         const C& shape = *static_cast<const C*>(concrete);
         put_core(shape, to);
         return rounding_radius(shape, T(0));
       };
     }
-    if constexpr (portal_side<C> == PortalSide::hull)
+    if constexpr (mpr_shape<C> == MprShape::hull)
       kind.vertices = [](const void* concrete) { return static_cast<const C*>(concrete)->data().vertices.size(); };
     return kind;
   }
   static constexpr std::size_t triangle = detail::kind_of<Triangle<T>, T>();
-  constexpr bool hull(std::size_t kind) const { return kinds_[kind].side == PortalSide::hull; }
+  constexpr bool hull(std::size_t kind) const { return kinds_[kind].side == MprShape::hull; }
   static constexpr bool smooth(std::size_t kind) {
     return kind == detail::kind_of<Cylinder<T>, T>() || kind == detail::kind_of<Ellipsoid<T>, T>();
   }
@@ -66,13 +66,13 @@ class PortalKinds {
 
 /// Queues pairs for the kernel. `single(i)` answers for one pair alone.
 template <class T, class Single>
-class Portals {
+class MprQueues {
  public:
-  Portals(const Batch<T>& batch, std::uint8_t* touch, const Single& single)
+  MprQueues(const Batch<T>& batch, std::uint8_t* touch, const Single& single)
       : batch_(batch), touch_(touch), single_(single) {}
 
   void add(std::size_t i) {
-    static constexpr PortalKinds<T> kinds;
+    static constexpr MprKinds<T> kinds;
     const IdPair p = batch_[i];
     const Bodies<T>&a = batch_.a(), &b = batch_.b();
     const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
@@ -82,7 +82,7 @@ class Portals {
     }
     const Kind &first = kinds[kind_a], &second = kinds[kind_b];
     if (first.vertices || second.vertices) return add_hulls(i, first, second);
-    if (in_portal_order(first.side, second.side))
+    if (in_mpr_order(first.side, second.side))
       put(first, a, p.a, second, b, p.b, i);
     else
       put(second, b, p.b, first, a, p.a, i);
@@ -93,22 +93,22 @@ class Portals {
   }
 
  private:
-  using Kind = typename PortalKinds<T>::Kind;
+  using Kind = typename MprKinds<T>::Kind;
   struct Queue {
     std::size_t count = 0;
-    PortalPairs pairs;
-    std::array<std::size_t, portal_chunk> places;
+    MprPairs pairs;
+    std::array<std::size_t, mpr_chunk> places;
   };
   static constexpr std::size_t forms = 6;  ///< of pairs, by `form_of`
   struct Form {
-    PortalSide a, b;
-    void (*kernel)(const PortalPairs&, std::size_t, std::uint8_t*);
+    MprShape a, b;
+    void (*kernel)(const MprPairs&, std::size_t, std::uint8_t*);
   };
-  static constexpr std::size_t form_of(PortalSide a, PortalSide b) {
+  static constexpr std::size_t form_of(MprShape a, MprShape b) {
     const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
     return first * (5 - first) / 2 + second;
   }
-  template <PortalSide A, PortalSide B>
+  template <MprShape A, MprShape B>
   Form form() const {
     return {A, B, GRAZE_KERNEL(chosen_isa(), mpr_overlaps<A, B>)};
   }
@@ -118,7 +118,7 @@ class Portals {
     const IdPair p = batch_[i];
     const std::size_t vertices_a = vertices_of(kind_a, batch_.a(), p.a),
                       vertices_b = vertices_of(kind_b, batch_.b(), p.b);
-    if (std::max(vertices_a, vertices_b) > most_portal_points) {
+    if (std::max(vertices_a, vertices_b) > most_mpr_points) {
       touch_[i] = single_(i);
       return;
     }
@@ -143,21 +143,21 @@ class Portals {
            std::size_t pair) {
     const std::size_t number = form_of(kind_a.side, kind_b.side);
     Queue& queue = queue_of(number);
-    const auto from = [&](std::size_t column) { return PortalPlace{queue.pairs.column + column, queue.count}; };
-    const T reach = kind_a.put(a.concrete(i), from(PortalPairs::of_a)) + a.rounding(i) +
-                    (kind_b.put(b.concrete(j), from(PortalPairs::of_b)) + b.rounding(j));
+    const auto from = [&](std::size_t column) { return MprPlace{queue.pairs.column + column, queue.count}; };
+    const T reach = kind_a.put(a.concrete(i), from(MprPairs::of_a)) + a.rounding(i) +
+                    (kind_b.put(b.concrete(j), from(MprPairs::of_b)) + b.rounding(j));
     const Pose<T>&pose_a = a.pose(i), &pose_b = b.pose(j);
-    from(PortalPairs::turn_a).put(pose_a.rotation);
-    from(PortalPairs::turn_b).put(pose_b.rotation);
-    from(PortalPairs::way).put(0, pose_b.translation - pose_a.translation);
-    from(PortalPairs::reach).put(0, reach);
+    from(MprPairs::turn_a).put(pose_a.rotation);
+    from(MprPairs::turn_b).put(pose_b.rotation);
+    from(MprPairs::way).put(0, pose_b.translation - pose_a.translation);
+    from(MprPairs::reach).put(0, reach);
     queue.places[queue.count++] = pair;
-    if (queue.count == portal_chunk) ask(number);
+    if (queue.count == mpr_chunk) ask(number);
   }
   void ask(std::size_t number) {
     const Form& form = forms_[number];
     Queue& queue = *queues_[number];
-    std::uint8_t found[portal_chunk];
+    std::uint8_t found[mpr_chunk];
     queue.pairs.fill_up(queue.count, form.a, form.b);
     form.kernel(queue.pairs, queue.count, found);
     for (std::size_t k = 0; k < queue.count; ++k) {
@@ -170,10 +170,9 @@ class Portals {
   const Batch<T>& batch_;
   std::uint8_t* const touch_;
   const Single single_;
-  const Form forms_[forms] = {
-      form<PortalSide::sum, PortalSide::sum>(),     form<PortalSide::sum, PortalSide::points>(),
-      form<PortalSide::sum, PortalSide::hull>(),    form<PortalSide::points, PortalSide::points>(),
-      form<PortalSide::points, PortalSide::hull>(), form<PortalSide::hull, PortalSide::hull>()};
+  const Form forms_[forms] = {form<MprShape::sum, MprShape::sum>(),     form<MprShape::sum, MprShape::points>(),
+                              form<MprShape::sum, MprShape::hull>(),    form<MprShape::points, MprShape::points>(),
+                              form<MprShape::points, MprShape::hull>(), form<MprShape::hull, MprShape::hull>()};
   std::unique_ptr<Queue> queues_[forms];
 };
 

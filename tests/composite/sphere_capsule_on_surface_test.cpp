@@ -1,6 +1,6 @@
 // What edges tell at once of the contacts on triangles is what a search tells: refused contacts of round bodies, and
 // whether a triangle is covered.
-#include "composite/internal_edges/round_on_surface.hpp"
+#include "composite/internal_edges/sphere_capsule_on_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@ using testing::random_vector;
 using testing::uniform;
 
 template <class T>
-class RoundOnSurfaces : public ::testing::Test {};
+class SphereCapsuleOnSurfaces : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(RoundOnSurfaces, Scalars);
+TYPED_TEST_SUITE(SphereCapsuleOnSurfaces, Scalars);
 
 enum class Relief { smooth, creased, crumpled, soup, field };
 constexpr Relief reliefs[] = {Relief::smooth, Relief::creased, Relief::crumpled, Relief::soup, Relief::field};
@@ -44,7 +44,7 @@ Shape<T> round_body(Random& random) {
   return Capsule<T>(size(), size() / 2);
 }
 
-TYPED_TEST(RoundOnSurfaces, WhatIsRefusedHasNoPointsAndWhatIsCoveredIsSeenToBe) {
+TYPED_TEST(SphereCapsuleOnSurfaces, WhatIsRefusedHasNoPointsAndWhatIsCoveredIsSeenToBe) {
   using T = TypeParam;
   Random random(29);
   std::size_t refused = 0, kept = 0, covered = 0, open = 0;
@@ -55,7 +55,7 @@ TYPED_TEST(RoundOnSurfaces, WhatIsRefusedHasNoPointsAndWhatIsCoveredIsSeenToBe) 
       const Pose<T> pose{away, normalized(converted<T>(testing::random_rotation(random)))};
       const Pose<T> body_pose = compose(pose, Pose<T>{converted<T>(random_vector(random, 0.7f)),
                                                       normalized(converted<T>(testing::random_rotation(random)))});
-      const auto edges = RoundOnSurface<T>::of(surface, pose, body, body_pose);
+      const auto edges = SphereCapsuleOnSurface<T>::of(surface, pose, body, body_pose);
       ASSERT_TRUE(edges);
       const LeafInContext<T> other{body, body_pose, body, body_pose};
       const T margin = contact_margin(surface, body);
@@ -86,11 +86,11 @@ TYPED_TEST(RoundOnSurfaces, WhatIsRefusedHasNoPointsAndWhatIsCoveredIsSeenToBe) 
   EXPECT_GT(open, 1000u);
 }
 
-TYPED_TEST(RoundOnSurfaces, NothingIsKnownOfOtherBodies) {
+TYPED_TEST(SphereCapsuleOnSurfaces, NothingIsKnownOfOtherBodies) {
   using T = TypeParam;
   const Shape<T> surface = Mesh<T>({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 2, 1}});
-  EXPECT_FALSE(RoundOnSurface<T>::of(surface, {}, Shape<T>(Box<T>({1, 1, 1})), {}));
-  EXPECT_FALSE(RoundOnSurface<T>::of(surface, {}, Shape<T>(Capsule<T>(1, T(0.2), T(0.5))), {}));
+  EXPECT_FALSE(SphereCapsuleOnSurface<T>::of(surface, {}, Shape<T>(Box<T>({1, 1, 1})), {}));
+  EXPECT_FALSE(SphereCapsuleOnSurface<T>::of(surface, {}, Shape<T>(Capsule<T>(1, T(0.2), T(0.5))), {}));
 }
 
 }  // namespace

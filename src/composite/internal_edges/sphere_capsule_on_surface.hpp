@@ -21,18 +21,18 @@ namespace graze {
 
 /// A mesh or height field and a ball or untapered capsule that meets it.
 template <class T>
-class RoundOnSurface {
+class SphereCapsuleOnSurface {
  public:
   /// Empty for another body.
-  static std::optional<RoundOnSurface> of(const Shape<T>& surface, const Pose<T>& surface_pose, const Shape<T>& body,
-                                          const Pose<T>& body_pose) {
+  static std::optional<SphereCapsuleOnSurface> of(const Shape<T>& surface, const Pose<T>& surface_pose,
+                                                  const Shape<T>& body, const Pose<T>& body_pose) {
     const auto in_frame = [&](const Vec3<T>& p) { return inverse_transform(surface_pose, transform(body_pose, p)); };
     if (const auto* ball = body.template as<Sphere<T>>())
-      return RoundOnSurface(surface, surface_pose, {in_frame(ball->center()), in_frame(ball->center())});
+      return SphereCapsuleOnSurface(surface, surface_pose, {in_frame(ball->center()), in_frame(ball->center())});
     const auto* capsule = body.template as<Capsule<T>>();
     if (!capsule || capsule->tapered()) return std::nullopt;
     const T h = capsule->half_height();
-    return RoundOnSurface(surface, surface_pose, {in_frame({T(0), -h, T(0)}), in_frame({T(0), h, T(0)})});
+    return SphereCapsuleOnSurface(surface, surface_pose, {in_frame({T(0), -h, T(0)}), in_frame({T(0), h, T(0)})});
   }
 
   /// Whether the contact of the body with a triangle is known to be a ghost: it stands on an edge above which the
@@ -47,7 +47,7 @@ class RoundOnSurface {
   }
 
  private:
-  RoundOnSurface(const Shape<T>& surface, const Pose<T>& pose, const Segment<T>& core)
+  SphereCapsuleOnSurface(const Shape<T>& surface, const Pose<T>& pose, const Segment<T>& core)
       : surface_(surface), pose_(pose), core_(core) {}
 
   /// Whether a contact is none of a triangle's face, and the whole core beyond one of its edges.

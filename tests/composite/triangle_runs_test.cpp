@@ -18,9 +18,9 @@ using testing::random_vector;
 using testing::uniform;
 
 template <class T>
-class TrianglesTogether : public ::testing::Test {};
+class TriangleRuns : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(TrianglesTogether, Scalars);
+TYPED_TEST_SUITE(TriangleRuns, Scalars);
 
 enum class Terrain { rough, level, degenerate, soup, field, in_compound };
 constexpr Terrain terrains[] = {Terrain::rough, Terrain::level, Terrain::degenerate,
@@ -69,7 +69,7 @@ void expect_same_bits(const Manifolds<T>& together, const Manifolds<T>& alone) {
   }
 }
 
-TYPED_TEST(TrianglesTogether, AnswerAsOneByOne) {
+TYPED_TEST(TriangleRuns, AnswerAsOneByOne) {
   using T = TypeParam;
   Random random(17);
   std::size_t points = 0;
