@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "narrow/pairs/box_box/pair.hpp"
+#include "narrow/pairs/box_rectangle.hpp"
 #include "narrow/pairs/box_triangle/pair.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"

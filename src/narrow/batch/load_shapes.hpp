@@ -4,6 +4,8 @@
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
 
+#include <iterator>
+
 #include "narrow/batch/layouts.hpp"
 #include "narrow/core/core.hpp"
 #include "narrow/pairs/box_box/reference_axis.hpp"
@@ -55,6 +57,15 @@ template <class S>
   return {~typename S::BitVector{}};
 }
 
+/// The lanes of which `regular()` says that kernels take their shapes: all, if that is known.
+template <class From, class S, class Regular>
+[[gnu::always_inline]] inline typename S::Mask taken_lanes(const Regular& regular) {
+  if constexpr (From::taken)
+    return everywhere<S>();
+  else
+    return regular();
+}
+
 // The shapes of a kind, given by a null pointer, from the numbers that its class holds.
 template <class From, class T>
 [[gnu::always_inline]] inline auto load(const From& from, const Sphere<T>*) {
@@ -66,15 +77,11 @@ template <class From, class T>
 template <class From, class T>
 [[gnu::always_inline]] inline auto load(const From& from, const Capsule<T>*) {
   using S = Lanes<T>;
-  if constexpr (From::taken) {
-    S n[2];
-    from.template load<3, 0>(n);
-    return ShapesInLanes<AxisCore<S>, S>{{{n[0]}, n[1]}, everywhere<S>()};
-  } else {
-    S n[3];
-    from.template load<3, 0>(n);
-    return ShapesInLanes<AxisCore<S>, S>{{{n[0]}, n[1]}, (n[0] > S(0)) & (n[1] == n[2])};
-  }
+  S n[From::taken ? 2 : 3];
+  from.template load<3, 0>(n);
+  return ShapesInLanes<AxisCore<S>, S>{{{n[0]}, n[1]}, taken_lanes<From, S>([&]() __attribute__((always_inline)) {
+                                         return (n[0] > S(0)) & (n[1] == n[std::size(n) - 1]);
+                                       })};
 }
 template <class From, class T>
 [[gnu::always_inline]] inline auto load(const From& from, const Box<T>*) {
@@ -82,14 +89,17 @@ template <class From, class T>
   S n[3];
   from.template load<3, 0>(n);
   const Vec3<S> half{n[0], n[1], n[2]};
-  return ShapesInLanes<BoxCore<S>, S>{{{half}, S(0)}, regular_box(half)};
+  return ShapesInLanes<BoxCore<S>, S>{
+      {{half}, S(0)}, taken_lanes<From, S>([&]() __attribute__((always_inline)) { return regular_box(half); })};
 }
 template <class From, class T>
 [[gnu::always_inline]] inline auto load(const From& from, const Rectangle<T>*) {
   using S = Lanes<T>;
   S n[3];
   from.template load<3, 0>(n);
-  return ShapesInLanes<BoxCore<S>, S>{{{{n[0], n[1], n[2]}}, S(0)}, regular_rectangle(n[0], n[2])};
+  return ShapesInLanes<BoxCore<S>, S>{
+      {{{n[0], n[1], n[2]}}, S(0)},
+      taken_lanes<From, S>([&]() __attribute__((always_inline)) { return regular_rectangle(n[0], n[2]); })};
 }
 template <class From, class T>
 [[gnu::always_inline]] inline auto load(const From& from, const Triangle<T>*) {
