@@ -13,6 +13,11 @@ struct BoxRectangle : BoxLikePair<Kind, Rectangle> {
   static std::optional<bool> overlap(const InPlace<Kind<T>, T>& a, const InPlace<Rectangle<T>, T>& b) {
     return detail::any_boxes_overlap(a, b, false);
   }
+
+  template <class T>
+  static auto distance_rows() {
+    return GRAZE_KERNEL(chosen_isa(), box_row_distances<Kind<T>, Rectangle<T>, T>);
+  }
 };
 
 }  // namespace graze
