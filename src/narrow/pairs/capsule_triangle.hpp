@@ -2,19 +2,12 @@
 // in double.
 #pragma once
 
-#include "narrow/batch/one_contacts.hpp"
-#include "narrow/pairs/pair.hpp"
-#include "narrow/pairs/sphere_capsule_triangle_contact.hpp"
+#include "narrow/pairs/sphere_capsule_triangle_pair.hpp"
 #include "simd/flatten.hpp"
 
 namespace graze {
 
-struct CapsuleTriangle {
-  template <class T>
-  using A = Capsule<T>;
-  template <class T>
-  using B = Triangle<T>;
-
+struct CapsuleTriangle : SphereCapsuleTrianglePair<Capsule> {
   template <class T>
   GRAZE_FLATTEN static std::optional<Distance<T>> distance(const InPlace<Capsule<T>, T>& a,
                                                            const InPlace<Triangle<T>, T>& b) {
@@ -36,28 +29,6 @@ struct CapsuleTriangle {
         converted<double>(a.pose), rounded_in_double(b.shape, b.rounding()), converted<double>(b.pose),
         converted<double>(take_closest(manifold)), static_cast<double>(margin), true, answer_rounding<T>());
     return put_sides(converted<T>(found), ids_with_triangle, manifold);
-  }
-
-  template <class T>
-  static auto overlap_rows() {
-    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_overlaps<Capsule<T>, T>);
-  }
-  template <class T>
-  static auto distance_rows() {
-    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_distances<Capsule<T>, T>);
-  }
-  template <class T>
-  static auto contact_rows() {
-    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_contacts<Capsule<T>, T>);
-  }
-  template <class T>
-  static const std::uint32_t* features() {
-    return ids_with_triangle.of;
-  }
-  template <class T, class Sink>
-  static void visit_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, Sink& sink) {
-    visit_one_contacts<T>(GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_contacts<Capsule<T>, T>), features<T>(),
-                          pairs, count, turned, sink);
   }
 };
 

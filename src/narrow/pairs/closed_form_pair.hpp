@@ -41,12 +41,7 @@ std::optional<Distance<T>> closed_form_distance(const InPlace<A, T>& a, const In
 }
 
 template <template <class> class KindA, template <class> class KindB>
-struct ClosedFormPair {
-  template <class T>
-  using A = KindA<T>;
-  template <class T>
-  using B = KindB<T>;
-
+struct ClosedFormPair : PairOfKinds<KindA, KindB> {
   static constexpr bool overlaps_by_distance = true;
 
   template <class T>

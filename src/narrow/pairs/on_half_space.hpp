@@ -62,12 +62,7 @@ Distance<T> distance_on_half_space(const InPlace<HalfSpace<T>, T>& a, const InPl
 
 /// Any convex shape against a half-space. Spheres, capsules, boxes and triangles have contacts of their own and lanes.
 template <template <class> class Kind>
-struct OnHalfSpace {
-  template <class T>
-  using A = Kind<T>;
-  template <class T>
-  using B = HalfSpace<T>;
-
+struct OnHalfSpace : PairOfKinds<Kind, HalfSpace> {
   static constexpr bool overlaps_by_distance = true;
   /// Whether a kind's contacts are at its corners, or at the ends of its axis.
   template <class T>

@@ -2,8 +2,9 @@
 // follows: the table for single pairs, the kernels for batches, for the world's bins and for runs of a mesh's
 // triangles.
 //
-// The struct names the kinds of its two shapes, in the order of `ShapeList`, as the templates `A` and `B`. All other
-// members are optional; missing ones, and shapes without an answer, are left to the general path:
+// The struct names the kinds of its two shapes, in the order of `ShapeList`, as the templates `A` and `B` (from its
+// base `PairOfKinds`). All other members are optional; missing ones, and shapes without an answer, are left to the
+// general path:
 //
 //     distance(a, b) -> std::optional<Distance<T>>
 //     overlap(a, b) -> std::optional<bool>             cheaper than the distance
@@ -33,6 +34,15 @@
 #include "shape/rounding.hpp"
 
 namespace graze {
+
+/// The kinds of a pair's two shapes, as its struct names them.
+template <template <class> class KindA, template <class> class KindB>
+struct PairOfKinds {
+  template <class T>
+  using A = KindA<T>;
+  template <class T>
+  using B = KindB<T>;
+};
 
 /// A convex shape in place, as the routine of a pair takes it.
 template <class C, class T>

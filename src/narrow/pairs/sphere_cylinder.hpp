@@ -11,12 +11,7 @@
 
 namespace graze {
 
-struct SphereCylinder {
-  template <class T>
-  using A = Sphere<T>;
-  template <class T>
-  using B = Cylinder<T>;
-
+struct SphereCylinder : PairOfKinds<Sphere, Cylinder> {
   static constexpr bool overlaps_by_distance = true;
 
   template <class T>

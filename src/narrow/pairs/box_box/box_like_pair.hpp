@@ -10,12 +10,7 @@
 namespace graze {
 
 template <template <class> class KindA, template <class> class KindB>
-struct BoxLikePair {
-  template <class T>
-  using A = KindA<T>;
-  template <class T>
-  using B = KindB<T>;
-
+struct BoxLikePair : PairOfKinds<KindA, KindB> {
   /// The signed distance by the boxes' axes and corners; nothing where these do not prove it.
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<KindA<T>, T>& a, const InPlace<KindB<T>, T>& b) {

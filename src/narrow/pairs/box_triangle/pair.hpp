@@ -45,12 +45,7 @@ std::optional<T> large_triangle_contacts(const BoxCore<T>& a, const Pose<T>& pos
   return *distance / u;
 }
 
-struct BoxTriangle {
-  template <class T>
-  using A = Box<T>;
-  template <class T>
-  using B = Triangle<T>;
-
+struct BoxTriangle : PairOfKinds<Box, Triangle> {
   /// Whether the two touch; nothing where the axes do not decide.
   template <class T>
   GRAZE_FLATTEN static std::optional<bool> overlap(const InPlace<Box<T>, T>& a, const InPlace<Triangle<T>, T>& b) {

@@ -27,12 +27,7 @@ template <class T>
 std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
                                         Manifold<T>& manifold);
 
-struct TriangleTriangle {
-  template <class T>
-  using A = Triangle<T>;
-  template <class T>
-  using B = Triangle<T>;
-
+struct TriangleTriangle : PairOfKinds<Triangle, Triangle> {
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b) {
     const auto found = up_to(a, b, std::numeric_limits<double>::infinity());
