@@ -6,9 +6,9 @@
 
 #include <type_traits>
 
+#include "graze/detail/validate.hpp"
 #include "graze/plane/shape.hpp"
 #include "graze/shape.hpp"
-#include "graze/validate.hpp"
 
 namespace graze {
 

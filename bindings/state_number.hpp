@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "graze/capture.hpp"
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 
 namespace graze {
 

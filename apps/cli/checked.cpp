@@ -3,7 +3,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 
 namespace graze::cli {
 

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "c/error.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/plane/pose2.hpp"
 #include "graze/plane/shape/flat.hpp"
 #include "graze/pose.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::c {
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "graze/broad_phase.hpp"
+#include "graze/detail/wide_node.hpp"
 #include "graze/small_vector.hpp"
-#include "graze/wide_node.hpp"
 
 namespace graze {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

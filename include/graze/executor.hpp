@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

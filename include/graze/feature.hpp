@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

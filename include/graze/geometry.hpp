@@ -11,7 +11,7 @@
 #include <array>
 #include <limits>
 
-#include "graze/extended.hpp"
+#include "graze/detail/extended.hpp"
 #include "graze/lines.hpp"
 #include "graze/pose.hpp"
 #include "graze/wide.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 
 #include "graze/contact.hpp"
+#include "graze/detail/visibility.hpp"
 #include "graze/fixed_vector.hpp"
 #include "graze/pose.hpp"
 #include "graze/result.hpp"
@@ -19,7 +20,6 @@
 #include "graze/shape/capsule.hpp"
 #include "graze/shape/sphere.hpp"
 #include "graze/shape/triangle.hpp"
-#include "graze/visibility.hpp"
 
 namespace graze {
 

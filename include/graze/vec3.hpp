@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "graze/lane_vector.hpp"
-#include "graze/standard.hpp"
+#include "graze/detail/lane_vector.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "graze/broad_phase.hpp"
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 
 namespace graze {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/vec3.hpp"
 
 namespace graze {

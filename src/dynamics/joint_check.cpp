@@ -4,7 +4,7 @@
 #include <string>
 
 #include "dynamics/joints.hpp"
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 
 namespace graze {
 

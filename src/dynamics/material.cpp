@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dynamics/rigid_space.hpp"
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 
 namespace graze {
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "graze/detail/validate.hpp"
 #include "graze/draw.hpp"
 #include "graze/error.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::io {
 

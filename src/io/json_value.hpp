@@ -10,9 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "graze/detail/validate.hpp"
 #include "graze/error.hpp"
 #include "graze/pose.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::io {
 

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "draw/cut_polygon.hpp"
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 #include "io/text_lines.hpp"
 
 namespace graze::io {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "graze/angles.hpp"
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 #include "io/parsed_number.hpp"
 #include "io/text_lines.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <set>
 
+#include "graze/detail/validate.hpp"
 #include "graze/error.hpp"
-#include "graze/validate.hpp"
 #include "io/plane_scene_parts.hpp"
 #include "io/svg_path.hpp"
 #include "io/text_lines.hpp"

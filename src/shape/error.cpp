@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "graze/validate.hpp"
+#include "graze/detail/validate.hpp"
 
 namespace graze {
 

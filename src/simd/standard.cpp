@@ -1,4 +1,4 @@
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 #if defined(__GNUC__)
 namespace graze::detail {

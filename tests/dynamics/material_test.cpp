@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "graze/detail/validate.hpp"
 #include "graze/plane/vec2.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::testing {
 namespace {

@@ -15,8 +15,8 @@
 #include <limits>
 #include <string>
 
+#include "graze/detail/validate.hpp"
 #include "graze/mpi/world.hpp"
-#include "graze/validate.hpp"
 #include "graze/world.hpp"
 #include "mpi/exchange.hpp"
 

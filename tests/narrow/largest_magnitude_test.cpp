@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "common/specimen.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/query.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::testing {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "common/specimen.hpp"
 #include "graze/cast.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
-#include "graze/validate.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze::testing {

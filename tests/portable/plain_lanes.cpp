@@ -8,8 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "graze/detail/wide_node.hpp"
 #include "graze/geometry.hpp"
-#include "graze/wide_node.hpp"
 
 namespace {
 

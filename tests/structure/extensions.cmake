@@ -2,7 +2,7 @@
 # for other compilers.
 cmake_minimum_required(VERSION 3.22)
 
-set(know_compilers "^graze/(lane_vector|visibility)\\.hpp$|^graze/graze\\.h$")
+set(know_compilers "^graze/detail/(lane_vector|visibility)\\.hpp$|^graze/graze\\.h$")
 set(extensions "__attribute__|__declspec|__builtin_|vector_size|__asm|__int128|__typeof|__restrict|__extension__|#pragma (GCC|clang)")
 
 file(GLOB_RECURSE headers RELATIVE "${ROOT}/include" "${ROOT}/include/graze/*.hpp" "${ROOT}/include/graze/*.h")

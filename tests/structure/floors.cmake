@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.22)
 
 set(floors
-    "^src/simd/|^include/graze/[a-z0-9_]+\\.hpp$"
+    "^src/simd/|^include/graze/(detail/)?[a-z0-9_]+\\.hpp$"
     "^src/shape/|^include/graze/(shape[./]|swept\\.hpp$)"
     "^src/(narrow|cast|rays|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs|pair_changes)\\.hpp$)"
     "^src/composite/"

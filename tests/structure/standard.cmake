@@ -1,13 +1,13 @@
-# Every public header includes graze/standard.hpp, directly or through another, but for graze/visibility.hpp, which that
-# one includes itself.
+# Every public header includes graze/detail/standard.hpp, directly or through another, but for
+# graze/detail/visibility.hpp, which that one includes itself.
 cmake_minimum_required(VERSION 3.22)
 
 file(GLOB_RECURSE headers RELATIVE "${ROOT}/include" "${ROOT}/include/graze/*.hpp")
 if(NOT headers)
   message(FATAL_ERROR "no headers in ${ROOT}/include")
 endif()
-set(reaching graze/standard.hpp)
-list(REMOVE_ITEM headers graze/standard.hpp graze/visibility.hpp)
+set(reaching graze/detail/standard.hpp)
+list(REMOVE_ITEM headers graze/detail/standard.hpp graze/detail/visibility.hpp)
 set(found TRUE)
 while(found)
   set(found FALSE)
@@ -26,5 +26,5 @@ while(found)
 endwhile()
 if(headers)
   list(JOIN headers "\n  " headers)
-  message(FATAL_ERROR "Public headers without graze/standard.hpp:\n  ${headers}")
+  message(FATAL_ERROR "Public headers without graze/detail/standard.hpp:\n  ${headers}")
 endif()

@@ -1,5 +1,5 @@
 // A list that is filled anew in every update: what is in it, and that its room stays.
-#include "graze/world/refilled.hpp"
+#include "graze/detail/refilled.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze::io {
 

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "graze/standard.hpp"
-#include "graze/visibility.hpp"
+#include "graze/detail/standard.hpp"
+#include "graze/detail/visibility.hpp"
 
 namespace graze::mpi {
 

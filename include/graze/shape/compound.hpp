@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "graze/aabb.hpp"
+#include "graze/detail/lent.hpp"
 #include "graze/pose.hpp"
-#include "graze/shape/lent.hpp"
 
 namespace graze {
 

@@ -8,9 +8,9 @@
 #pragma once
 
 #include "graze/aabb.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/pose.hpp"
 #include "graze/shape/face.hpp"
-#include "graze/validate.hpp"
 
 namespace graze {
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "graze/aabb.hpp"
+#include "graze/detail/lent.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/pose.hpp"
-#include "graze/shape/lent.hpp"
 #include "graze/shape/sides.hpp"
-#include "graze/validate.hpp"
 
 namespace graze {
 

@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "graze/aabb.hpp"
+#include "graze/detail/lent.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/pose.hpp"
 #include "graze/shape/face.hpp"
-#include "graze/shape/lent.hpp"
-#include "graze/validate.hpp"
 
 namespace graze {
 

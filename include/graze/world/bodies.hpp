@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "graze/detail/validate.hpp"
 #include "graze/filter.hpp"
-#include "graze/validate.hpp"
 #include "graze/world/space.hpp"
 
 namespace graze {

@@ -6,9 +6,9 @@
 
 #include <span>
 
+#include "graze/detail/refilled.hpp"
 #include "graze/world/bodies.hpp"
 #include "graze/world/manifolds.hpp"
-#include "graze/world/refilled.hpp"
 
 namespace graze {
 

@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "graze/contact.hpp"
+#include "graze/detail/refilled.hpp"
 #include "graze/executor.hpp"
 #include "graze/world/bins.hpp"
 #include "graze/world/bodies.hpp"
 #include "graze/world/point_choice.hpp"
-#include "graze/world/refilled.hpp"
 
 namespace graze {
 

@@ -11,9 +11,9 @@
 
 #include "graze/cast.hpp"
 #include "graze/contact.hpp"
+#include "graze/detail/validate.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
-#include "graze/validate.hpp"
 
 namespace graze {
 

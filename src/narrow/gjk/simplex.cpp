@@ -1,6 +1,6 @@
 #include "narrow/gjk/simplex.hpp"
 
-#include "graze/extended.hpp"
+#include "graze/detail/extended.hpp"
 #include "narrow/core/power_of_two.hpp"
 
 namespace graze {

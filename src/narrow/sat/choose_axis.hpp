@@ -2,7 +2,7 @@
 // that are about as good, for one pair and across lanes.
 #pragma once
 
-#include "graze/lane_vector.hpp"
+#include "graze/detail/lane_vector.hpp"
 #include "simd/lane_of.hpp"
 
 namespace graze {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "graze/detail/validate.hpp"
 #include "graze/plane/vec2.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::plane {
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <span>
 
+#include "graze/detail/validate.hpp"
 #include "graze/plane/shape/pieces.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::plane {
 

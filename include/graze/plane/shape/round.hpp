@@ -4,8 +4,8 @@
 // zero radius to a segment). Constructors throw `InvalidValue` for other numbers.
 #pragma once
 
+#include "graze/detail/validate.hpp"
 #include "graze/plane/vec2.hpp"
-#include "graze/validate.hpp"
 
 namespace graze::plane {
 

@@ -1,12 +1,12 @@
 // Check of the C++ standard that Graze needs: one line of error before an older one fails in a thousand.
 //
-// Guarantee: every public header includes this one, directly or through another, but for graze/visibility.hpp, which
+// Guarantee: every public header includes this one, directly or through another, but for visibility.hpp beside it, which
 // this one needs. The compiled library and the code that uses it have to agree on the standard library's containers,
 // which cross the boundary between them: code compiled with -D_GLIBCXX_DEBUG needs a Graze that was compiled with it
 // too, and is not linked with another. The C interface (graze/graze.h) takes no containers and may be used with either.
 #pragma once
 
-#include "graze/visibility.hpp"
+#include "graze/detail/visibility.hpp"
 
 #if defined(_MSVC_LANG) ? _MSVC_LANG < 202002L : __cplusplus < 202002L
 #error "Graze needs C++20: compile with -std=c++20 (or /std:c++20) or later"

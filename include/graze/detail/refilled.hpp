@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

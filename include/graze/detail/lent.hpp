@@ -7,7 +7,7 @@
 
 #include <type_traits>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze {
 

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "graze/standard.hpp"
+#include "graze/detail/standard.hpp"
 
 namespace graze::detail {
 
