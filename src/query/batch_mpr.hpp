@@ -10,12 +10,13 @@
 
 #include "graze/batch.hpp"
 #include "narrow/gjk/mpr_pairs.hpp"
+#include "narrow/pair_list.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
 
-/// The form of each kind for the kernel, and the pairs of kinds that use it: those whose `overlap` is GJK's. Other
-/// pairs have faster routines.
+/// The form of each kind for the kernel, and the pairs of kinds that use it: those whose `overlap` is GJK's, and the
+/// special ones that say so. Other special pairs have faster routines.
 template <class T>
 class MprKinds {
  public:
@@ -26,11 +27,19 @@ class MprKinds {
     /// The number of a hull's vertices; null for other kinds.
     std::size_t (*vertices)(const void* concrete) = nullptr;
   };
-  constexpr MprKinds() { set(std::make_index_sequence<Shape<T>::count>()); }
+  constexpr MprKinds() {
+    set(std::make_index_sequence<Shape<T>::count>());
+    PairList::each([this]<class P>() {
+      constexpr std::size_t a = detail::kind_of<typename P::template A<T>, T>(),
+                            b = detail::kind_of<typename P::template B<T>, T>();
+      constexpr bool alone = !requires { P::overlaps_by_mpr; };
+      faster_alone_[a][b] = alone;
+      faster_alone_[b][a] = alone;
+    });
+  }
   constexpr const Kind& operator[](std::size_t kind) const { return kinds_[kind]; }
   constexpr bool asks(std::size_t a, std::size_t b) const {
-    if (kinds_[a].side == MprShape::none || kinds_[b].side == MprShape::none) return false;
-    return hull(a) || hull(b) || smooth(a) || smooth(b) || (a == triangle && flat(b)) || (b == triangle && flat(a));
+    return kinds_[a].side != MprShape::none && kinds_[b].side != MprShape::none && !faster_alone_[a][b];
   }
 
  private:
@@ -53,15 +62,8 @@ class MprKinds {
       kind.vertices = [](const void* concrete) { return static_cast<const C*>(concrete)->data().vertices.size(); };
     return kind;
   }
-  static constexpr std::size_t triangle = detail::kind_of<Triangle<T>, T>();
-  constexpr bool hull(std::size_t kind) const { return kinds_[kind].side == MprShape::hull; }
-  static constexpr bool smooth(std::size_t kind) {
-    return kind == detail::kind_of<Cylinder<T>, T>() || kind == detail::kind_of<Ellipsoid<T>, T>();
-  }
-  static constexpr bool flat(std::size_t kind) {
-    return kind == detail::kind_of<Box<T>, T>() || kind == detail::kind_of<Rectangle<T>, T>() || kind == triangle;
-  }
   Kind kinds_[Shape<T>::count];
+  bool faster_alone_[Shape<T>::count][Shape<T>::count]{};
 };
 
 /// Queues pairs for the kernel. `single(i)` answers for one pair alone.

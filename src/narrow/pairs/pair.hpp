@@ -19,6 +19,8 @@
 //
 //     overlap_rows<T>(), distance_rows<T>(), contact_rows<T>()   kernels for pairs in rows (`pair_kernels.hpp`)
 //     visit_contacts(pairs, count, turned, sink)                 passes the kernels' results to a `contact_sink.hpp`
+//     overlaps_by_mpr = true                                     batches ask for what is left by portals, which is
+//                                                                faster than the routine of a single pair
 //     takes_all_shapes = true                                    no shape is filtered out: the kernels check themselves
 //
 // Members by which a pair is compiled with the kernels of a family, which it then names in the members above:

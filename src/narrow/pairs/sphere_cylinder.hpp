@@ -12,7 +12,7 @@
 namespace graze {
 
 struct SphereCylinder : PairOfKinds<Sphere, Cylinder> {
-  static constexpr bool overlaps_by_distance = true;
+  static constexpr bool overlaps_by_distance = true, overlaps_by_mpr = true;
 
   template <class T>
   GRAZE_FLATTEN static std::optional<Distance<T>> distance(const InPlace<Sphere<T>, T>& a,

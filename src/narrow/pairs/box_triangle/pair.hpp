@@ -46,6 +46,8 @@ std::optional<T> large_triangle_contacts(const BoxCore<T>& a, const Pose<T>& pos
 }
 
 struct BoxTriangle : PairOfKinds<Box, Triangle> {
+  static constexpr bool overlaps_by_mpr = true;
+
   /// Whether the two touch; nothing where the axes do not decide.
   template <class T>
   GRAZE_FLATTEN static std::optional<bool> overlap(const InPlace<Box<T>, T>& a, const InPlace<Triangle<T>, T>& b) {

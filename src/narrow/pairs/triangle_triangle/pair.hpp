@@ -28,6 +28,8 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
                                         Manifold<T>& manifold);
 
 struct TriangleTriangle : PairOfKinds<Triangle, Triangle> {
+  static constexpr bool overlaps_by_mpr = true;
+
   template <class T>
   static std::optional<Distance<T>> distance(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b) {
     const auto found = up_to(a, b, std::numeric_limits<double>::infinity());
