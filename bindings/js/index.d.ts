@@ -1087,6 +1087,7 @@ export declare namespace plane {
     massProperties(): { area: number; center: Vec2; inertia: number };
     /** The point of a bounded convex shape furthest along `direction`, in the shape's frame. */
     support(direction: ArrayLike<number>): Vec2;
+    /** The Minkowski sum with a disc of that radius, beside the present rounding; of a compound each child grows. */
     rounded(rounding: number): Shape;
     /** The region that a bounded convex shape sweeps while it moves by `motion` without turning. */
     swept(pose: PoseLike, motion: ArrayLike<number>): Shape;

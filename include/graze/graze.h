@@ -1417,6 +1417,8 @@ GRAZE_C_API GrazeStatus graze_plane_shape_compound_d(const GrazePlaneChildd *chi
 // A convex shape of the caller's own, with the functions of graze_shape_user_d.
 GRAZE_C_API GrazeStatus graze_plane_shape_user_d(GrazeVec2d (*support)(const void *user, GrazeVec2d direction),
                                                  void (*release)(void *user), void *user, GrazePlaneShaped **shape);
+// The shape with a disc of radius `rounding` added, in addition to its present rounding; of a compound each child grows
+// by it.
 GRAZE_C_API GrazeStatus graze_plane_shape_rounded_d(const GrazePlaneShaped *shape, double rounding,
                                                     GrazePlaneShaped **rounded);
 // The region that a bounded convex shape, standing at `pose`, sweeps while it moves by `motion` without turning

@@ -75,19 +75,21 @@ void add_outline(const plane::Pieces<T>& pieces, const Pose2d& pose, Polygons& o
 }
 
 template <class T>
-void add(const plane::Shape<T>& shape, const Pose2d& pose, const Vec3d& center, double size, Polygons& out) {
+void add(const plane::Shape<T>& shape, const Pose2d& pose, const Vec3d& center, double size, Polygons& out,
+         double grown = 0) {
+  const double rounding = double(shape.rounding()) + grown;
   if (const auto* compound = shape.template as<plane::Compound<T>>()) {
     for (const plane::Placed<T>& child : compound->children())
-      add(child.shape, compose(pose, plane::at_unit(child.pose)), center, size, out);
+      add(child.shape, compose(pose, plane::at_unit(child.pose)), center, size, out, rounding);
     return;
   }
-  if (const auto* polygon = shape.template as<plane::Polygon<T>>(); polygon && shape.rounding() == T(0))
+  if (const auto* polygon = shape.template as<plane::Polygon<T>>(); polygon && rounding == 0)
     return add_outline(polygon->pieces(), pose, out);
   const auto add_leaf = [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
     core.kind == CoreKind::half_plane ? add_half_plane(core.radius, at, center, size, out)
                                       : add_loop(around(core), at, out);
   };
-  plane::for_each_leaf(shape, pose, 0, true, plane::Everywhere{}, add_leaf);
+  plane::for_each_leaf(shape, pose, 0, true, plane::Everywhere{}, add_leaf, grown);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ auto built_below(const JsonValue& json, const F& make) {
 }
 
 template <class T>
-plane::Shape<T> read_plane_compound(const JsonValue& json) {
+plane::Compound<T> read_plane_compound(const JsonValue& json) {
   json.keys({"children"});
   const JsonValue list = json.at("children");
   std::vector<plane::Placed<T>> children;
@@ -45,7 +45,7 @@ plane::Shape<T> read_plane_compound(const JsonValue& json) {
     children.push_back(std::move(placed));
   }
   if (children.empty()) list.fail("at least one child");
-  return built_below(json, [&] { return plane::Shape<T>(plane::Compound<T>(std::move(children))); });
+  return built_below(json, [&] { return plane::Compound<T>(std::move(children)); });
 }
 
 template <class T>
@@ -101,7 +101,7 @@ plane::Shape<T> read_plane_shape(const JsonValue& json) {
   for (const char* n : names)
     if (name == n) known = n;
   if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, polygon, chain, ellipse, compound");
-  name == "compound" ? json.keys({"type", known}) : json.keys({"type", known, "margin"});
+  json.keys({"type", known, "margin"});
   T margin(0);
   if (const auto m = json.find("margin")) margin = m->length<T>();
   if (name == "plane") {
@@ -128,7 +128,7 @@ plane::Shape<T> read_plane_shape(const JsonValue& json) {
     const auto radii = own.at("radii").elements(2);
     return {plane::Ellipse<T>({radii[0].length<T>(), radii[1].length<T>()}), margin};
   }
-  if (name == "compound") return read_plane_compound<T>(own);
+  if (name == "compound") return {read_plane_compound<T>(own), margin};
   if (name == "polygon") return {read_polygon<T>(own), margin};
   if (name == "chain") return {read_chain<T>(own), margin};
   return read_segment_or_hull<T>(own, name == "segment", margin);

@@ -16,32 +16,37 @@ struct Everywhere {
 
 /// Calls `f(core, pose, extent, piece)`. The pose is in double and of unit length there, so that a float's rounding of
 /// it does not lengthen what it turns. Pieces of polygons and chains are left out where `wanted(pose, box, rounding)`
-/// refuses a box around them, in the frame of that pose.
+/// refuses a box around them, in the frame of that pose. `grown` is the rounding of the compounds that the shape is in.
 template <class T, class Wanted, class F>
 void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piece, bool outermost, const Wanted& wanted,
-                   F&& f) {
+                   F&& f, double grown = 0) {
+  const double rounding = double(shape.rounding()) + grown;
   if (const auto* compound = shape.template as<Compound<T>>()) {
     std::uint32_t number = 0;
     for (const Placed<T>& child : compound->children()) {
-      for_each_leaf(child.shape, compose(pose, at_unit(child.pose)), outermost ? number : piece, false, wanted, f);
+      for_each_leaf(child.shape, compose(pose, at_unit(child.pose)), outermost ? number : piece, false, wanted, f,
+                    rounding);
       ++number;
     }
     return;
   }
+  const double size = double(extent(shape)) + grown;
   const auto* polygon = shape.template as<Polygon<T>>();
   const auto* chain = shape.template as<Chain<T>>();
   if (polygon || chain) {
     const Pieces<T>& pieces = polygon ? polygon->pieces() : chain->pieces();
-    const auto near = [&](const Aabb2<double>& box) { return wanted(pose, box, double(shape.rounding())); };
+    const auto near = [&](const Aabb2<double>& box) { return wanted(pose, box, rounding); };
     pieces.for_each(near, [&](std::uint32_t i) {
       Core<T> core = piece_core(pieces, i);
-      core.radius = double(shape.rounding());
+      core.radius = rounding;
       core.chain = chain;
-      f(core, pose, double(extent(shape)), outermost ? i : piece);
+      f(core, pose, size, outermost ? i : piece);
     });
     return;
   }
-  f(convex_core(shape), pose, double(extent(shape)), piece);
+  Core<T> core = convex_core(shape);
+  core.radius += grown;
+  f(core, pose, size, piece);
 }
 template <class T, class F>
 void for_each_leaf(const Shape<T>& shape, const Pose2<T>& pose, F&& f) {

@@ -112,27 +112,38 @@ Aabb2<T> core_bounds(const Core<T>& core, T extent, const Pose2<T>& pose) {
           pose.translation + converted<T>(upper) + Vec2<T>{slack, slack}};
 }
 
-}  // namespace
-
+/// The bounds of a shape with the rounding `grown` of the compounds that it is in.
 template <class T>
-Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose) {
+Aabb2<T> bounds_grown(const Shape<T>& shape, const Pose2<T>& pose, T grown) {
   constexpr T inf = std::numeric_limits<T>::infinity();
   Aabb2<T> all{{inf, inf}, {-inf, -inf}};
   if (const auto* compound = shape.template as<Compound<T>>()) {
     for (const Placed<T>& child : compound->children())
-      all = merged(all, bounds(child.shape, compose(pose, child.pose)));
+      all = merged(all, bounds_grown(child.shape, compose(pose, child.pose), shape.rounding() + grown));
     return all;
   }
+  const T size = extent(shape) + grown;
   const auto* polygon = shape.template as<Polygon<T>>();
   const auto* chain = shape.template as<Chain<T>>();
-  if (!polygon && !chain) return core_bounds(convex_core(shape), extent(shape), pose);
+  if (!polygon && !chain) {
+    Core<T> core = convex_core(shape);
+    core.radius += double(grown);
+    return core_bounds(core, size, pose);
+  }
   const Pieces<T>& pieces = polygon ? polygon->pieces() : chain->pieces();
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     Core<T> core = piece_core(pieces, i);
-    core.radius = double(shape.rounding());
-    all = merged(all, core_bounds(core, extent(shape), pose));
+    core.radius = double(shape.rounding()) + double(grown);
+    all = merged(all, core_bounds(core, size, pose));
   }
   return all;
+}
+
+}  // namespace
+
+template <class T>
+Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose) {
+  return bounds_grown(shape, pose, T(0));
 }
 
 template class ConvexPolygon<float>;

@@ -32,15 +32,22 @@ struct Nesting {
   }
 };
 
-/// Appends the shapes in a compound at `pose` that are no compounds.
-template <class Compound, class Pose, class Placed>
-void take_apart(const Compound& compound, const Pose& pose, std::vector<Placed>& leaves) {
+/// The shape with `rounding` beside its own.
+template <class Shape, class T>
+Shape grown(const Shape& shape, T rounding) {
+  if (rounding == T(0)) return shape;
+  return shape.visit([&](const auto& concrete) { return Shape(concrete, shape.rounding() + rounding); });
+}
+
+/// Appends the shapes in a compound at `pose` that are no compounds, each with the roundings of those that it is in.
+template <class Compound, class T, class Pose, class Placed>
+void take_apart(const Compound& compound, T rounding, const Pose& pose, std::vector<Placed>& leaves) {
   for (const Placed& child : compound.children()) {
     const Pose at = compose(pose, child.pose);
     if (const auto* inner = child.shape.template as<Compound>())
-      take_apart(*inner, at, leaves);
+      take_apart(*inner, rounding + child.shape.rounding(), at, leaves);
     else
-      leaves.push_back({child.shape, at});
+      leaves.push_back({grown(child.shape, rounding), at});
   }
 }
 
@@ -57,7 +64,7 @@ Nesting bounded_nesting(Placed& child, const std::string& path) {
                            std::to_string(most_taken_apart) + " shapes",
                        std::to_string(leaves) + " in " + std::to_string(most_nested + 1));
   std::vector<Placed> leaves;
-  take_apart(*inner, decltype(child.pose){}, leaves);
+  take_apart(*inner, child.shape.rounding(), decltype(child.pose){}, leaves);
   try {
     child.shape = Compound(std::move(leaves));
   } catch (const InvalidValue& e) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "graze/io/explain.hpp"
+#include "graze/io/protocol.hpp"
 
 namespace graze::io {
 namespace {
@@ -96,7 +97,9 @@ TEST(PlaneExplain, EveryShapeHasItsPicture) {
       R"({"type": "polygon", "polygon": {"points": [[-1, -1], [1, -1], [1, 1], [0, 0], [-1, 1]]}, "margin": 0.2})",
       R"({"type": "chain", "chain": {"points": [[-1, 0], [0, 0.3], [1, 0]], "sides": "one"}})",
       R"({"type": "compound", "compound": {"children": [{"shape": {"type": "box", "box": {"size": [1, 1]}}},
-          {"shape": {"type": "circle", "circle": {"radius": 0.4}}, "translation": [1, 0]}]}})"};
+          {"shape": {"type": "circle", "circle": {"radius": 0.4}}, "translation": [1, 0]}]}})",
+      R"({"type": "compound", "margin": 0.2, "compound": {"children": [{"shape": {"type": "box", "box": {"size": [1, 1]}}},
+          {"shape": {"type": "polygon", "polygon": {"points": [[-1, -1], [1, -1], [1, 1], [0, 0], [-1, 1]]}}}]}})"};
   for (const char* a : shapes)
     for (const char* b : shapes)
       for (const char* query : {"overlap", "contacts", "distance", "cast", "closest", "raycast"})
@@ -119,6 +122,26 @@ TEST(PlaneExplain, EveryShapeHasItsPicture) {
           EXPECT_EQ(picture.find("nan"), std::string::npos) << asked;
           EXPECT_EQ(picture.find("inf"), std::string::npos) << asked;
         }
+}
+
+/// A compound with a margin is answered as one whose children have it, and is told as it was given.
+TEST(PlaneExplain, AMarginOfACompoundIsOneOfItsChildren) {
+  const auto question = [](const char* query, const char* whole, const char* part) {
+    return fmt::format(
+        R"({{"query": "{}", "dimension": 2, "a": {{"shape": {{"type": "compound"{}, "compound": {{"children": [
+        {{"shape": {{"type": "box", "box": {{"size": [1, 1]}}{}}}}},
+        {{"shape": {{"type": "circle", "circle": {{"radius": 0.5}}{}}}, "translation": [2, 0]}}]}}}}}},
+        "b": {{"shape": {{"type": "circle", "circle": {{"radius": 0.5}}}}, "translation": [1, 0.6]}}}})",
+        query, whole, part, part);
+  };
+  for (const char* query : {"overlap", "distance", "contacts", "cast"})
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+      const std::string of_whole = answer_line(question(query, R"(, "margin": 0.25)", ""), precision).text,
+                        of_parts = answer_line(question(query, "", R"(, "margin": 0.25)"), precision).text;
+      EXPECT_EQ(of_whole, of_parts) << query;
+      EXPECT_EQ(of_whole.find("error"), std::string::npos) << of_whole;
+      EXPECT_NE(of_whole, answer_line(question(query, "", ""), precision).text) << query;
+    }
 }
 
 /// The value of an attribute of an element of a picture.

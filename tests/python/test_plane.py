@@ -23,6 +23,7 @@ SHAPES = {
     "polygon": plane.Polygon([(0, 0), (2, 0), (2, 2), (1, 0.5), (0, 2)]),
     "chain": plane.Chain([(-2, 0), (0, 0.5), (2, 0)]),
     "compound": plane.Compound([(plane.Circle(0.5), (1, 0)), (plane.Box((1, 1)), ((-1, 0), 0.3))]),
+    "rounded compound": plane.Compound([(plane.Circle(0.5), (1, 0)), (plane.Box((1, 1)), None)], rounding=0.25),
 }
 PAIRS = list(itertools.product(SHAPES, SHAPES))
 

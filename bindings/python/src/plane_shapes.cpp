@@ -284,8 +284,8 @@ the first. one_sided: contacts push to the right of its segments alone.)")
 
 /// A compound, and the Python objects of its children.
 struct OfCompound : Of<Compound> {
-  OfCompound(std::vector<plane::Placed<double>> placed, py::list given)
-      : Of<Compound>(Compound(std::move(placed))), children(std::move(given)) {}
+  OfCompound(std::vector<plane::Placed<double>> placed, py::list given, double rounding)
+      : Of<Compound>(Compound(std::move(placed)), rounding), children(std::move(given)) {}
   explicit OfCompound(const Shaped& shape) : Of<Compound>(shape) {
     for (const auto& child : concrete().children()) children.append(py::make_tuple(object_of(child.shape), child.pose));
   }
@@ -315,7 +315,7 @@ py::dict arguments(const OfCompound& s) {
   return a;
 }
 
-OfCompound compound_of(const py::iterable& children) {
+OfCompound compound_of(const py::iterable& children, double rounding) {
   std::vector<plane::Placed<double>> placed;
   py::list kept;
   for (const py::handle child : children) {
@@ -332,7 +332,7 @@ OfCompound compound_of(const py::iterable& children) {
     placed.push_back({py::object(pair[py::int_(0)]).cast<const Shaped&>(), pose});
     kept.append(py::make_tuple(py::object(pair[py::int_(0)]), pose));
   }
-  return {std::move(placed), std::move(kept)};
+  return {std::move(placed), std::move(kept), rounding};
 }
 
 }  // namespace
@@ -393,8 +393,10 @@ the shape has of vertices.
   add_round(m);
   add_flat(m);
   add_outlined(m);
-  shape_class<OfCompound>(m, "Compound", "Several shapes as one: `children`, pairs (shape, pose), at least one.")
-      .def(py::init(&compound_of), py::arg("children"))
+  shape_class<OfCompound>(m, "Compound", R"(Several shapes as one.
+
+children: pairs (shape, pose), at least one. rounding: the radius by which each of them grows.)")
+      .def(py::init(&compound_of), py::arg("children"), py::arg("rounding") = 0.0)
       .def_property_readonly(
           "children", [](const OfCompound& s) { return py::list(s.children); },
           "The pairs (shape, pose) it was made of.");

@@ -30,15 +30,11 @@ class Shape {
  public:
   static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< number of kinds
 
-  /// `concrete`, rounded by `rounding`: the Minkowski sum with a disc of that radius. Throws `InvalidValue` for a
-  /// rounding that is negative, larger than `largest_magnitude`, or given to a compound.
+  /// `concrete`, rounded by `rounding`: the Minkowski sum with a disc of that radius, which of a compound is each child
+  /// grown by it. Throws `InvalidValue` for a rounding that is negative or larger than `largest_magnitude`.
   template <class C>
   requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T rounding = T(0))
-      : list_(std::move(concrete)), rounding_(validate::extent(rounding, "rounding")) {
-    if constexpr (std::is_same_v<C, Compound<T>>)
-      if (rounding != T(0))
-        validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
-  }
+      : list_(std::move(concrete)), rounding_(validate::extent(rounding, "rounding")) {}
 
   /// The rounding radius: that of the disc in the Minkowski sum.
   T rounding() const { return rounding_; }
