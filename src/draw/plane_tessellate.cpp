@@ -89,7 +89,7 @@ void add(const plane::Shape<T>& shape, const Pose2d& pose, const Vec3d& center, 
     core.kind == CoreKind::half_plane ? add_half_plane(core.radius, at, center, size, out)
                                       : add_loop(around(core), at, out);
   };
-  plane::for_each_leaf(shape, pose, 0, true, plane::Everywhere{}, add_leaf, grown);
+  plane::for_each_leaf(shape, pose, plane::Everywhere{}, add_leaf, grown);
 }
 
 }  // namespace

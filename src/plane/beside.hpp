@@ -3,8 +3,8 @@
 //
 // Guarantee: an edge is no part of the ground's outline where the bodies beside it cover all of it that faces the body
 // that moves, and a vertex has the normals alone that lead into none of them, as within a solid polygon. What nothing
-// beside it touches stays as it is. Polygons, boxes, segments, chains and half-planes count as ground; what is round
-// does not, and the ends of chains are not joined to others; nor are the children of a compound within a compound.
+// beside it touches stays as it is. Polygons, boxes, segments, chains and half-planes count as ground, rounded or not;
+// what has no straight side does not. It does not matter in how many compounds a child lies.
 #pragma once
 
 #include <span>
@@ -19,8 +19,20 @@ namespace graze::plane {
 /// and the piece that it meets; as between solids (`composite/internal_edges`).
 inline constexpr double seam_step = 4e-4;
 
-/// The convex pieces of the ground near a body that moves: those of a body, if it is a compound, and of bodies around
-/// it.
+/// A disc in the world.
+struct Disc {
+  Vec2d center;
+  double radius;
+
+  /// Whether all of it is further than `reach` from a point.
+  bool is_beyond(const Vec2d& point, double reach) const {
+    const double furthest = radius + reach;
+    return length_squared(point - center) > furthest * furthest;
+  }
+};
+
+/// The convex pieces of the ground near a body that moves: those of a body, if it is of several shapes, and of bodies
+/// around it.
 template <class T>
 class Ground {
  public:
@@ -31,29 +43,30 @@ class Ground {
   /// Whether a shape overlaps any of the bodies around.
   bool overlaps(const Shape<T>& shape, const Pose2<T>& pose) const;
 
-  /// A piece of the body and of what meets it, in place; `child` is the number of that piece in the body.
+  /// A piece of the body and of what meets it, in place.
   struct Meeting {
     const Pose2d& pose;
-    std::uint32_t child;
     const Core<T>& mover;
     const Pose2d& mover_pose;
     double size;  ///< of the smaller of the two
   };
-  /// Sets `outline` to that of a piece of the body as far as it faces what meets it, and makes it the core's; an empty
-  /// one where nothing beside it matters.
+  /// Sets `outline` to that of a piece of the body as far as it faces what meets it, of a chain's segment seen from both
+  /// sides, and makes it the core's; an empty one where nothing beside it matters.
   void outline(Core<T>& core, const Meeting& meeting, SmallVector<OutlineVertex, 8>& outline) const;
 
  private:
-  static constexpr std::uint32_t of_another = std::numeric_limits<std::uint32_t>::max();
   struct Piece {
     Core<T> core;
     Pose2d pose;
-    std::uint32_t child;  ///< of the body itself, or `of_another`
+    bool own;  ///< whether it is one of the body itself
+    Disc around;
   };
+  static bool is_same(const Piece& piece, const Core<T>& core) { return piece.own && piece.core.leaf == core.leaf; }
   bool covers(const Core<T>& core, std::uint32_t edge, const Meeting& meeting, const Pose2d& mover_in,
               double step) const;
   bool restrict_normals(const Core<T>& core, std::uint32_t i, const Meeting& meeting, const Vec2d& mover_center,
                         double step, OutlineVertex& vertex) const;
+  bool outline_of_side(const Core<T>& core, const Meeting& meeting, double step, std::span<OutlineVertex> side) const;
 
   std::span<const PlacedRef<T>> around_;
   const Shape<T>& own_;

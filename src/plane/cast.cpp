@@ -228,7 +228,7 @@ template <class T, class Seen>
 std::optional<RayHit<T>> first_hit(const Shape<T>& shape, const Pose2<T>& pose, const WorldRay<T>& world, double& until,
                                    const Seen& seen) {
   std::optional<RayHit<T>> best;
-  for_each_leaf(shape, at_unit(pose), 0, true, world.near(until),
+  for_each_leaf(shape, at_unit(pose), world.near(until),
                 [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
                   double t = 0;
                   const bool done = best && until == 0;
@@ -358,7 +358,7 @@ bool raycast_any(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
   const auto wanted = [&](const Pose2d& at, const Aabb2<double>& box, double rounding) {
     return !found && near(at, box, rounding);
   };
-  for_each_leaf(shape, at_unit(pose), 0, true, wanted,
+  for_each_leaf(shape, at_unit(pose), wanted,
                 [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
                   double t = 0;
                   found = found || world.meet(core, at, extent, piece, until, t);
@@ -373,7 +373,7 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T
   if (!world.valid) return 0;
   const std::size_t before = hits.size();
   const auto until = double(length_of_ray);
-  for_each_leaf(shape, at_unit(pose), 0, true, world.near(until),
+  for_each_leaf(shape, at_unit(pose), world.near(until),
                 [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
                   double t = 0;
                   if (const auto hit = world.meet(core, at, extent, piece, until, t)) hits.push_back(*hit);

@@ -40,6 +40,7 @@ struct Core {
   const OutlineVertex* outline = nullptr;
   const Pieces<T>* pieces = nullptr;  ///< all pieces of that polygon or chain
   const Chain<T>* chain = nullptr;    ///< the chain that a segment belongs to
+  std::uint32_t leaf = 0;             ///< number of the shape in its body, of those that are no compounds
 
   Vec2d vertex(std::uint32_t i) const { return plane::converted<double>(outside ? outside[i] : inside[i]); }
   std::uint32_t next(std::uint32_t i) const { return i + 1 == count ? 0 : i + 1; }

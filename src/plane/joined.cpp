@@ -50,7 +50,7 @@ template <class T>
 Vec2d body_center(const Shape<T>& shape, const Pose2d& pose, double far) {
   Vec2d sum{};
   double count = 0;
-  for_each_leaf(shape, pose, 0, true, Everywhere{}, [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
+  for_each_leaf(shape, pose, Everywhere{}, [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
     sum += transform(at, center_of(core, far));
     count += 1;
   });
@@ -110,7 +110,7 @@ bool beside_edge(const Core<T>& core, std::uint32_t feature, const Vec2d& point)
 template <class T>
 bool lies_behind(const Shape<T>& shape, const Pose2d& pose, const Vec2d& on_line, const Vec2d& n) {
   bool behind = true;
-  for_each_leaf(shape, pose, 0, true, Everywhere{}, [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
+  for_each_leaf(shape, pose, Everywhere{}, [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
     if (!behind) return;
     const auto out = [&] { return transform(at, support(core, inverse_rotate(at.rotation, n)).point) - on_line; };
     behind = core.kind != CoreKind::half_plane && dot(out(), n) + core.radius < 0;
@@ -223,7 +223,7 @@ void Joined<T>::keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<
 /// Adds a manifold to the one that it goes on from, or as one of its own.
 template <class T>
 void Joined<T>::join(const Manifold<T>& manifold) {
-  if (!extend(manifold)) out_.push_back(manifold);
+  if (!extend(manifold, out_.size())) out_.push_back(manifold);
 }
 
 /// Adds the contacts of pieces in line to the manifolds beside them. A piece that was added may be the neighbour of the
@@ -234,7 +234,7 @@ void Joined<T>::extend_in_line() {
     more = false;
     std::size_t left_over = 0;
     for (std::size_t i = 0; i < in_line_.size(); ++i)
-      if (extend(in_line_[i].manifold()))
+      if (extend(in_line_[i].manifold(), out_.size()))
         more = true;
       else
         in_line_[left_over++] = in_line_[i];
@@ -269,10 +269,17 @@ void Joined<T>::join_doubtful() {
   doubtful_.clear();
 }
 
-/// Adds a manifold to the one that it goes on from, if there is one.
+/// Makes one of the manifolds that have grown up to each other.
 template <class T>
-bool Joined<T>::extend(const Manifold<T>& manifold) {
-  for (std::size_t i = first_; i < out_.size(); ++i) {
+void Joined<T>::unite() {
+  for (std::size_t i = out_.size(); i-- > first_ + 1;)
+    if (extend(out_[i], i)) out_.erase(out_.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+/// Adds a manifold to the one that it goes on from, if there is one before the place `end`.
+template <class T>
+bool Joined<T>::extend(const Manifold<T>& manifold, std::size_t end) {
+  for (std::size_t i = first_; i < end; ++i) {
     Manifold<T>& there = out_[i];
     if (!(dot(there.normal, manifold.normal) > T(0)) || std::abs(cross(there.normal, manifold.normal)) > tolerance<T>)
       continue;
@@ -282,9 +289,9 @@ bool Joined<T>::extend(const Manifold<T>& manifold) {
     std::array<ContactPoint<T>, 4> all;
     auto last = std::copy(there.points.begin(), there.points.end(), all.begin());
     const auto bounds_there = std::minmax_element(all.begin(), last, by_place);
-    const T low = at(*bounds_there.first), high = at(*bounds_there.second);
+    const T low = at(*bounds_there.first), high = at(*bounds_there.second), gap = seam_gap(there.points[0]);
     const auto own = std::minmax_element(manifold.points.begin(), manifold.points.end(), by_place);
-    if (at(*own.first) > high + tolerated() || at(*own.second) < low - tolerated()) continue;
+    if (at(*own.first) > high + gap || at(*own.second) < low - gap) continue;
     last = std::copy(manifold.points.begin(), manifold.points.end(), last);
     const auto ends = std::minmax_element(all.begin(), last, by_place);
     const ContactPoint<T> first = *ends.first, second = *ends.second;

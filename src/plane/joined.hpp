@@ -79,6 +79,7 @@ class Joined {
   bool finish(const StandsIn& stands_in) {
     join_doubtful();
     extend_in_line();
+    unite();
     if (instead_ && out_.size() == first_ && (!deeper_ || stands_in())) out_.push_back(*instead_);
     return out_.size() > first_;
   }
@@ -115,11 +116,17 @@ class Joined {
   bool gives_way(const OnOutline& found, const LeafPair<T>& pair) const;
   void keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a, double margin);
   void join(const Manifold<T>& manifold);
-  bool extend(const Manifold<T>& manifold);
+  bool extend(const Manifold<T>& manifold, std::size_t end);
+  void unite();
   void extend_in_line();
   void keep_doubtful(const Manifold<T>& manifold, double taken);
   void join_doubtful();
   T tolerated() const { return static_cast<T>(double(tolerance<T>) * size_); }
+  /// The gap that rounding leaves between the points of pieces side by side, whose places in the world come from
+  /// different poses: a few units in the last place of each.
+  T seam_gap(const ContactPoint<T>& there) const {
+    return tolerated() + T(4) * std::numeric_limits<T>::epsilon() * max_abs(there.a);
+  }
 
   const Shape<T>&a_, &b_;
   Pose2d pose_a_, pose_b_;

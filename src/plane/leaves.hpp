@@ -4,6 +4,9 @@
 // outermost shape.
 #pragma once
 
+#include <optional>
+#include <type_traits>
+
 #include "plane/core.hpp"
 #include "plane/unit_rotation.hpp"
 
@@ -14,43 +17,61 @@ struct Everywhere {
   bool operator()(const Pose2d&, const Aabb2<double>&, double) const { return true; }
 };
 
-/// Calls `f(core, pose, extent, piece)`. The pose is in double and of unit length there, so that a float's rounding of
-/// it does not lengthen what it turns. Pieces of polygons and chains are left out where `wanted(pose, box, rounding)`
-/// refuses a box around them, in the frame of that pose. `grown` is the rounding of the compounds that the shape is in.
+/// A walk over the convex shapes that a shape is made of.
 template <class T, class Wanted, class F>
-void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piece, bool outermost, const Wanted& wanted,
-                   F&& f, double grown = 0) {
-  const double rounding = double(shape.rounding()) + grown;
-  if (const auto* compound = shape.template as<Compound<T>>()) {
-    std::uint32_t number = 0;
-    for (const Placed<T>& child : compound->children()) {
-      for_each_leaf(child.shape, compose(pose, at_unit(child.pose)), outermost ? number : piece, false, wanted, f,
-                    rounding);
-      ++number;
+class LeafWalk {
+ public:
+  LeafWalk(const Wanted& wanted, F& f) : wanted_(wanted), f_(f) {}
+
+  /// Visits a shape; `piece` is its number in the outermost one, none for that itself, and `grown` the rounding of the
+  /// compounds that it is in.
+  void visit(const Shape<T>& shape, const Pose2d& pose, std::optional<std::uint32_t> piece, double grown) {
+    const double rounding = double(shape.rounding()) + grown;
+    if (const auto* compound = shape.template as<Compound<T>>()) {
+      std::uint32_t number = 0;
+      for (const Placed<T>& child : compound->children()) {
+        visit(child.shape, compose(pose, at_unit(child.pose)), piece.value_or(number), rounding);
+        ++number;
+      }
+      return;
     }
-    return;
-  }
-  const double size = double(extent(shape)) + grown;
-  const auto* polygon = shape.template as<Polygon<T>>();
-  const auto* chain = shape.template as<Chain<T>>();
-  if (polygon || chain) {
+    const double size = double(extent(shape)) + grown;
+    const std::uint32_t leaf = leaf_++;
+    const auto* polygon = shape.template as<Polygon<T>>();
+    const auto* chain = shape.template as<Chain<T>>();
+    if (!polygon && !chain) {
+      Core<T> core = convex_core(shape);
+      core.radius += grown;
+      core.leaf = leaf;
+      return f_(core, pose, size, piece.value_or(0));
+    }
     const Pieces<T>& pieces = polygon ? polygon->pieces() : chain->pieces();
-    const auto near = [&](const Aabb2<double>& box) { return wanted(pose, box, rounding); };
+    const auto near = [&](const Aabb2<double>& box) { return wanted_(pose, box, rounding); };
     pieces.for_each(near, [&](std::uint32_t i) {
       Core<T> core = piece_core(pieces, i);
       core.radius = rounding;
       core.chain = chain;
-      f(core, pose, size, outermost ? i : piece);
+      core.leaf = leaf;
+      f_(core, pose, size, piece.value_or(i));
     });
-    return;
   }
-  Core<T> core = convex_core(shape);
-  core.radius += grown;
-  f(core, pose, size, piece);
+
+ private:
+  const Wanted& wanted_;
+  F& f_;
+  std::uint32_t leaf_ = 0;
+};
+
+/// Calls `f(core, pose, extent, piece)`. The pose is in double and of unit length there, so that a float's rounding of
+/// it does not lengthen what it turns. Pieces of polygons and chains are left out where `wanted(pose, box, rounding)`
+/// refuses a box around them, in the frame of that pose. `grown` is the rounding of the compounds that the shape is in.
+template <class T, class Wanted, class F>
+void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, const Wanted& wanted, F&& f, double grown = 0) {
+  LeafWalk<T, Wanted, std::remove_reference_t<F>>(wanted, f).visit(shape, pose, {}, grown);
 }
 template <class T, class F>
 void for_each_leaf(const Shape<T>& shape, const Pose2<T>& pose, F&& f) {
-  for_each_leaf(shape, at_unit(pose), 0, true, Everywhere{}, f);
+  for_each_leaf(shape, at_unit(pose), Everywhere{}, f);
 }
 
 /// Whether a shape has no half-plane in it.
@@ -124,10 +145,10 @@ void for_each_pair_within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
   bool bounded = true;
   for (const Shape<T>* s : {&a, &b}) bounded = bounded && is_bounded(*s);
   const auto near_b = near_disc(at_b.translation, bounded ? double(extent(b)) : inf, reach);
-  for_each_leaf(a, at_a, 0, true, near_b,
+  for_each_leaf(a, at_a, near_b,
                 [&](const Core<T>& core_a, const Pose2d& in_a, double extent_a, std::uint32_t piece_a) {
                   const auto near_a = near_disc(in_a.translation, bounded ? extent_a : inf, reach);
-                  for_each_leaf(b, at_b, 0, true, near_a,
+                  for_each_leaf(b, at_b, near_a,
                                 [&](const Core<T>& core_b, const Pose2d& in_b, double extent_b, std::uint32_t piece_b) {
                                   f(LeafPair<T>{core_a, core_b, in_a, in_b, extent_a, extent_b, piece_a, piece_b});
                                 });

@@ -1,7 +1,7 @@
 // Bodies of the plane that slide over floors made of pieces, and how often the seams are felt.
 //
 // A floor is the line y = 0 within 5 of the origin in its own frame, in pieces of many lengths: chains, solid polygons
-// that are cut, chains end to end. A body slides along it, some ten thousandths of a radian tilted, its lowest point
+// that are cut, and compounds of chains end to end and of tiles, some of them rounded or within further compounds. A body slides along it, some ten thousandths of a radian tilted, its lowest point
 // 20 mm deep to 5 mm above; a step is up to 20 mm, some to where a side stands right over a seam. What it has to meet
 // is a half-plane: its points along its normal. Whatever else is told is a bump.
 #pragma once
@@ -75,6 +75,47 @@ Shape<T> comb() {
   return Polygon<T>(points);
 }
 
+/// Chains of up to four segments, each of which begins where another ends.
+template <class T>
+Shape<T> chains_end_to_end(const std::vector<double>& seams, Random& random) {
+  std::vector<Placed<T>> chains;
+  for (std::size_t i = 0; i + 1 < seams.size();) {
+    const std::size_t end = std::min(seams.size() - 1, i + 1 + random() % 4);
+    chains.push_back(
+        {Chain<T>(on_line<T>({seams.begin() + std::ptrdiff_t(i), seams.begin() + std::ptrdiff_t(end) + 1})), {}});
+    i = end;
+  }
+  return Compound<T>(chains);
+}
+
+/// A tile whose core lies between two places and whose rounding reaches up to the line.
+template <class T>
+Placed<T> tile(double right, double left, double rounding) {
+  const double width = right - left, height = 0.5;
+  return {{Box<T>({static_cast<T>(width), static_cast<T>(height)}), static_cast<T>(rounding)},
+          {{static_cast<T>((left + right) / 2), static_cast<T>(-rounding - height / 2)}, {}}};
+}
+template <class T>
+std::vector<Placed<T>> tiles(const std::vector<double>& seams, double rounding) {
+  std::vector<Placed<T>> all;
+  for (std::size_t i = 0; i + 1 < seams.size(); ++i) all.push_back(tile<T>(seams[i], seams[i + 1], rounding));
+  return all;
+}
+/// Tiles in compounds of up to three, some of these in another one.
+template <class T>
+Shape<T> nested_tiles(const std::vector<double>& seams, double rounding, Random& random) {
+  const std::vector<Placed<T>> all = tiles<T>(seams, rounding);
+  std::vector<Placed<T>> groups;
+  for (std::size_t i = 0; i < all.size();) {
+    const std::size_t end = std::min(all.size(), i + 1 + random() % 3);
+    Shape<T> group =
+        Compound<T>(std::vector<Placed<T>>(all.begin() + std::ptrdiff_t(i), all.begin() + std::ptrdiff_t(end)));
+    if (random() % 2 == 0) group = Compound<T>(std::vector<Placed<T>>{{group, {}}});
+    groups.push_back({group, {}});
+    i = end;
+  }
+  return Compound<T>(groups);
+}
 template <class T>
 std::vector<Floor<T>> floors(Random& random) {
   const std::vector<double> any = random_seams(random, 0.05, 1.5), fine = random_seams(random, 0.01, 0.05),
@@ -86,7 +127,12 @@ std::vector<Floor<T>> floors(Random& random) {
           {"chain that runs back", Chain<T>(on_line<T>(backward)), any},
           {"fine chain", Chain<T>(on_line<T>(fine)), fine},
           {"chain with slivers", Chain<T>(on_line<T>(sliver)), sliver},
-          {"comb, a solid polygon", comb<T>(), {-3, -2, -1, 0, 1, 2, 3}}};
+          {"comb, a solid polygon", comb<T>(), {-3, -2, -1, 0, 1, 2, 3}},
+          {"chains end to end", chains_end_to_end<T>(any, random), any},
+          {"fine chains end to end", chains_end_to_end<T>(fine, random), fine},
+          {"rounded tiles", Compound<T>(tiles<T>(any, 0.1)), any},
+          {"nested tiles", nested_tiles<T>(any, 0, random), any},
+          {"nested rounded tiles", nested_tiles<T>(any, 0.1, random), any}};
 }
 
 template <class T>

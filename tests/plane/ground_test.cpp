@@ -15,10 +15,13 @@ using slides::Random;
 using slides::uniform;
 
 /// Kinds of ground along the x axis, its surface at y = 0.
-enum class Tiles { boxes, segments, polygons, overlapping, slabs_in_half_plane, foundation, mixed };
+enum class Tiles { boxes, segments, polygons, overlapping, slabs_in_half_plane, foundation, mixed, rounded, chains };
 constexpr Tiles all_tiles[] = {
     Tiles::boxes,      Tiles::segments, Tiles::polygons, Tiles::overlapping, Tiles::slabs_in_half_plane,
-    Tiles::foundation, Tiles::mixed};
+    Tiles::foundation, Tiles::mixed,    Tiles::rounded,  Tiles::chains};
+
+/// Radius of rounded tiles.
+constexpr double rounding = 0.1;
 
 template <class T>
 class Scene {
@@ -37,6 +40,11 @@ class Scene {
       const int kind = tiles == Tiles::mixed ? int(uniform(random, 0, 3)) : int(tiles);
       if (kind == int(Tiles::segments)) {
         fix(Segment<T>({T(-width / 2), T(0)}, {T(width / 2), T(0)}), {middle, 0});
+      } else if (kind == int(Tiles::rounded)) {
+        fix({Box<T>({T(width), T(height)}), T(rounding)}, {middle, -height / 2 - rounding});
+      } else if (kind == int(Tiles::chains)) {
+        const double bend = uniform(random, -width / 3, width / 3);
+        fix(Chain<T>(std::vector<Vec2<T>>{{T(width / 2), T(0)}, {T(bend), T(0)}, {T(-width / 2), T(0)}}), {middle, 0});
       } else if (kind == int(Tiles::polygons)) {
         fix(ConvexPolygon<T>(std::vector<Vec2<T>>{{T(-width / 2), T(0)}, {T(0), T(-height)}, {T(width / 2), T(0)}}),
             {middle, 0});
@@ -193,13 +201,14 @@ TYPED_TEST(PlaneGround, KeepsWallsAndSteps) {
   Random random(8);
   for (const bool whole : {false, true})
     for (const double high : {2.0, 0.2, 0.05})
-      for (const bool beside : {false, true})
+      for (const auto& [beside, radius] : {std::pair(false, 0.0), {true, 0.0}, {false, rounding}, {true, rounding}})
         for (std::size_t s = 0; s < bodies_to_slide<T>().size(); ++s)
           for (int k = 0; k < 10; ++k) {
-            Scene<T> scene(Tiles::boxes, 0.7, {1, 2}, random, whole);
+            Scene<T> scene(radius > 0 ? Tiles::rounded : Tiles::boxes, 0.7, {1, 2}, random, whole);
             // A wall that stands on the tiles, or a block beside a last tile that is higher than it.
             const double wall = uniform(random, -0.5, 0.5);
-            scene.fix(Box<T>({T(1), T(beside ? high + 1 : high)}), {wall + 0.5, beside ? (high - 1) / 2 : high / 2});
+            scene.fix({Box<T>({T(1), T(beside ? high + 1 : high)}), T(radius)},
+                      {wall + radius + 0.5, beside ? (high - 1) / 2 : high / 2});
             scene.lay();
             const Shape<T> slider = bodies_to_slide<T>()[s];
             const bool is_box = s == 0;
