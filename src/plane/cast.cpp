@@ -29,10 +29,11 @@ std::optional<WorldContact> contact_at_start(const Core<T>& a, const Core<T>& b,
   return out;
 }
 
-/// The first contact of two convex pieces. With `steps`, those of the search are recorded there.
-template <class T>
+/// The first contact of two convex pieces. Calls `seen(t, gap, normal)`, the normal in the world, at each time that a
+/// search looks at.
+template <class T, class Seen>
 std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, double duration, double size, double near,
-                                      std::vector<TraceStep>* steps = nullptr) {
+                                      const Seen& seen) {
   const Pose2d pose_a = a.at(0), pose_b = b.at(0), b_in_a = relative(pose_a, pose_b);
   const bool polygons = a.core.kind == CoreKind::polygon && b.core.kind == CoreKind::polygon;
   const bool far = polygons && discs_apart(b.body.translation - a.body.translation, a.reach, b.reach) > 0;
@@ -40,24 +41,22 @@ std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, doub
   if (!far && (!polygons || !surely_apart(a.core, b.core, b_in_a, rounding)))
     if (const auto touching = contact_at_start(a.core, b.core, pose_a, b_in_a, size, rounding)) return touching;
   if (a.velocity.angular != 0 || b.velocity.angular != 0) {
-    const auto seen = [&](const Nearby& now) {
-      if (steps) steps->push_back({now.contact.t, now.gap, {now.contact.normal.x, now.contact.normal.y, 0}});
-    };
     const std::optional<double> from = far ? discs_meet(a, b, near) : 0;
     if (!from || !(*from <= duration)) return {};
-    return advance(a, b, *from, duration, size, near, near, seen);
+    return advance(a, b, *from, duration, size, near, near,
+                   [&](const Nearby& now) { seen(now.contact.t, now.gap, now.contact.normal); });
   }
   const Vec2d velocity = inverse_rotate(pose_a.rotation, b.velocity.linear - a.velocity.linear);
-  const auto hit = first_contact(a.core, b.core, b_in_a, velocity, duration, size, near, steps);
-  if (steps)
-    for (TraceStep& step : *steps) {
-      const Vec2d n = rotate(pose_a.rotation, {step.normal.x, step.normal.y});
-      step.normal = {n.x, n.y, 0};
-    }
+  const auto in_world = [&](double t, double gap, const Vec2d& n) { seen(t, gap, rotate(pose_a.rotation, n)); };
+  const auto hit = polygons ? contact_of_polygons(a.core, b.core, b_in_a, velocity, duration, size)
+                            : advance_straight(a.core, b.core, b_in_a, velocity, duration, size, near, in_world);
   if (!hit) return {};
   const Pose2d then = a.at(hit->t);
   return WorldContact{hit->t, transform(then, hit->point), rotate(then.rotation, hit->normal), 0, hit->status};
 }
+
+/// Nobody who looks on.
+constexpr auto unseen = [](double, double, const Vec2d&) {};
 
 /// A time in T that is not later.
 template <class T>
@@ -93,18 +92,19 @@ struct MovingPair {
   void for_each(F&& f) const {
     for_each_pair(a, Pose2<T>{}, b, Pose2<T>{}, f);
   }
-  /// The contact of one pair of pieces, no later than `until` of the whole `duration`.
+  /// The contact of one pair of pieces, no later than `until` of the whole `duration`; `seen` as for `pair_cast`.
+  template <class Seen>
   std::optional<WorldContact> contact(const LeafPair<T>& pair, double until, double duration,
-                                      const CastOptions& options, std::vector<TraceStep>* steps = nullptr) const {
+                                      const CastOptions& options, const Seen& seen) const {
     const Mover<T> at_a = mover_a(pair), at_b = mover_b(pair);
     const double size = greatest(at_a.reach, at_b.reach), way = length(of_b.linear - of_a.linear) * duration;
     // Half of D: the other half is for rounding the time.
     const double near =
         double(cast_tolerance<T>) / 2 * size +
         4 * std::numeric_limits<double>::epsilon() * (way + length(body_b.translation - body_a.translation));
-    if (options.separating == Separating::hit) return pair_cast(at_a, at_b, until, size, near, steps);
+    if (options.separating == Separating::hit) return pair_cast(at_a, at_b, until, size, near, seen);
     // A contact that slides until the end is recognised over the whole time only.
-    auto first = pair_cast(at_a, at_b, duration, size, near, steps);
+    auto first = pair_cast(at_a, at_b, duration, size, near, seen);
     if (first) first = pressing(at_a, at_b, *first, duration, pair, near);
     if (first && first->t > until) first.reset();
     return first;
@@ -156,7 +156,9 @@ template <class T>
   moving.for_each([&](const LeafPair<T>& pair) {
     if (i++ != number) return;
     std::vector<TraceStep> steps;
-    const auto found = moving.contact(pair, duration, duration, options, &steps);
+    const auto found = moving.contact(pair, duration, duration, options, [&](double t, double gap, const Vec2d& n) {
+      steps.push_back({t, gap, {n.x, n.y, 0}});
+    });
     const Mover<T> a = moving.mover_a(pair), b = moving.mover_b(pair);
     const auto place = [&](double t) {
       const Pose2d at_a = a.at(t), at_b = b.at(t);
@@ -307,7 +309,7 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const 
   if (!straight)
     moving.for_each([&](const LeafPair<T>& pair) {
       const std::size_t own = number++;
-      const auto hit = moving.contact(pair, until, double(duration), options);
+      const auto hit = moving.contact(pair, until, double(duration), options, unseen);
       if (!hit || (best && hit->t == until && !(hit->depth > double(best->depth)))) return;
       until = hit->t;
       best = moving.hit(*hit, pair);
@@ -324,7 +326,7 @@ void cast_all(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velo
   const MovingPair<T> moving(a, pose_a, velocity_a, b, pose_b, velocity_b);
   const auto before = static_cast<std::ptrdiff_t>(hits.size());
   moving.for_each([&](const LeafPair<T>& pair) {
-    if (const auto hit = moving.contact(pair, double(duration), double(duration), options))
+    if (const auto hit = moving.contact(pair, double(duration), double(duration), options, unseen))
       hits.push_back(moving.hit(*hit, pair));
   });
   std::stable_sort(hits.begin() + before, hits.end(), [](const CastHit<T>& p, const CastHit<T>& q) {

@@ -127,8 +127,7 @@ Trace explained(const LeafPair<T>& pair, const Distance<double>& answer) {
     trace.difference = difference_outline(pair);
     trace.rounding = pair.a.radius + pair.b.radius;
   }
-  if (!half_plane && !polygons)
-    nearest(pair.a, pair.b, relative(pair.pose_a, pair.pose_b), pair.size(), &trace, pair.pose_a);
+  if (!half_plane && !polygons) explain_curved_search(pair, trace);
   trace.method = half_plane || closed_form(pair.a, pair.b) ? "closed form"
                  : polygons                                ? "separating axes"
                  : trace.epa.empty()                       ? "gjk"

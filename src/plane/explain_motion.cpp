@@ -99,12 +99,12 @@ void explain_ray(const Core<T>& core, const Pose2d& pose, double extent, double 
   if (core.kind != CoreKind::polygon && core.kind != CoreKind::half_plane) {
     trace.method = "conservative advancement";
     trace.reason = "each step goes as far as the line between ray and shape allows";
-    first_contact(core, core_of(Circle<T>(T(0))), Pose2d{own.origin, {}}, own.direction, ray.length, extent, near,
-                  &trace.steps);
-    for (TraceStep& step : trace.steps) {
-      const Vec2d n = rotate(pose.rotation, {step.normal.x, step.normal.y});
-      step.normal = {n.x, n.y, 0};
-    }
+    const auto seen = [&](double t, double gap, const Vec2d& normal) {
+      const Vec2d n = rotate(pose.rotation, normal);
+      trace.steps.push_back({t, gap, {n.x, n.y, 0}});
+    };
+    advance_straight(core, core_of(Circle<T>(T(0))), Pose2d{own.origin, {}}, own.direction, ray.length, extent, near,
+                     seen);
     return;
   }
   add_spans(core, own, pose, trace);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "graze/angles.hpp"
+#include "plane/curved_search.hpp"
 #include "plane/difference.hpp"
 #include "plane/explain.hpp"
 
@@ -105,7 +106,44 @@ void expand(const LeafPair<T>& pair, Simplex polygon, double near, Trace& trace)
   }
 }
 
+TraceSupport in_world(const Pose2d& pose, const GrownVertex& v) {
+  const Vec2d a = transform(pose, v.a.point), b = transform(pose, v.b.point);
+  return {{a.x, a.y, 0}, {b.x, b.y, 0}};
+}
+
+/// One step of the growth for the trace: those outside are GJK's, those inside EPA's.
+void record(const GrowingPolygon& polygon, const GrownFoot& foot, const GrownVertex& found, const Pose2d& pose,
+            Trace& trace) {
+  const Vec2d n = rotate(pose.rotation, foot.normal);
+  const double reached = dot(found.point, foot.normal);
+  // Shown as B - A, in which a polygon of A - B runs counter-clockwise too.
+  std::vector<TraceSupport> vertices;
+  for (std::size_t i = 0; i < polygon.size(); ++i) vertices.push_back(in_world(pose, polygon[i]));
+  if (foot.inside) {
+    trace.epa.push_back(
+        {{n.x, n.y, 0}, foot.reach, reached, in_world(pose, found), polygon.size() + 1, std::move(vertices)});
+    return;
+  }
+  TraceGjk step;
+  step.simplex.push_back(in_world(pose, polygon[foot.edge]));
+  if (foot.parameter > 0) step.simplex.push_back(in_world(pose, polygon[polygon.next(foot.edge)]));
+  step.direction = {n.x, n.y, 0};
+  step.found = in_world(pose, found);
+  step.lower = greatest(-reached, trace.gjk.empty() ? 0.0 : trace.gjk.back().lower);
+  step.upper = length(foot.point);
+  step.polygon = std::move(vertices);
+  trace.gjk.push_back(std::move(step));
+}
+
 }  // namespace
+
+template <class T>
+void explain_curved_search(const LeafPair<T>& pair, Trace& trace) {
+  const auto seen = [&](const GrowingPolygon& polygon, const GrownFoot& foot, const GrownVertex& found) {
+    record(polygon, foot, found, pair.pose_a, trace);
+  };
+  search_curved(pair.a, pair.b, relative(pair.pose_a, pair.pose_b), pair.size(), seen);
+}
 
 template <class T>
 void explain_search(const LeafPair<T>& pair, Trace& trace) {
@@ -154,6 +192,8 @@ std::vector<TraceSupport> difference_outline(const LeafPair<T>& pair) {
   return out;
 }
 
+template void explain_curved_search(const LeafPair<float>&, Trace&);
+template void explain_curved_search(const LeafPair<double>&, Trace&);
 template void explain_search(const LeafPair<float>&, Trace&);
 template void explain_search(const LeafPair<double>&, Trace&);
 template std::vector<TraceSupport> difference_outline(const LeafPair<float>&);

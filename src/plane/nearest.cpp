@@ -53,8 +53,7 @@ Pose2d inverse(const Pose2d& b_in_a) { return relative(b_in_a, Pose2d{}); }
 }  // namespace
 
 template <class T>
-Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps,
-                const Pose2d& pose_a) {
+Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size) {
   const bool half_a = a.kind == CoreKind::half_plane, half_b = b.kind == CoreKind::half_plane;
   if (half_a && half_b) return two_half_planes(b_in_a);
   if (half_a) return above_half_plane(b, b_in_a);
@@ -63,10 +62,10 @@ Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double
     const bool inside = a.count > 2 || b.count > 2;
     return inside ? nearest_polygons(a, b, b_in_a, size) : nearest_by_walk(a, b, b_in_a);
   }
-  return nearest_curved(a, b, b_in_a, size, steps, pose_a);
+  return nearest_curved(a, b, b_in_a, size);
 }
 
-template Nearest nearest(const Core<float>&, const Core<float>&, const Pose2d&, double, Trace*, const Pose2d&);
-template Nearest nearest(const Core<double>&, const Core<double>&, const Pose2d&, double, Trace*, const Pose2d&);
+template Nearest nearest(const Core<float>&, const Core<float>&, const Pose2d&, double);
+template Nearest nearest(const Core<double>&, const Core<double>&, const Pose2d&, double);
 
 }  // namespace graze::plane

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "graze/result.hpp"
-#include "graze/trace.hpp"
 #include "plane/core.hpp"
 
 namespace graze::plane {
@@ -29,11 +28,9 @@ inline constexpr double goal = 1e-11;
 /// sixteen operations have made the distance, each half a unit off, and others would find an overlap.
 inline constexpr double touching_rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// The nearest points of any two cores. `size`: of the pair, which the goal refers to. With `steps`, the steps are
-/// recorded there, in the world of A's pose.
+/// The nearest points of any two cores. `size`: of the pair, which the goal refers to.
 template <class T>
-Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps = nullptr,
-                const Pose2d& pose_a = {});
+Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
 
 /// The gap that remains between the bounds of a curved pair's distance: the goal, or what rounding of the support
 /// points leaves (a user's are in T), which lie as far from the origin as the cores do from each other.
@@ -50,7 +47,6 @@ Nearest nearest_by_walk(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a
 
 /// The nearest points of two bounded cores by their support functions.
 template <class T>
-Nearest nearest_curved(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps,
-                       const Pose2d& pose_a);
+Nearest nearest_curved(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
 
 }  // namespace graze::plane

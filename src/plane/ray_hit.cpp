@@ -46,7 +46,8 @@ hit_closely(const Core<T>& core, const Vec2d& origin, const Vec2d& direction, do
   const bool outside = polygon && above_an_edge(core, origin);
   if (!outside && nearest(core, point<T>, start, size).distance - core.radius <= 0) return CoreRayHit{0, -direction};
   if (polygon) return hit_polygon(core, origin, direction, until);
-  const auto hit = first_contact(core, point<T>, start, direction, until, size, near);
+  const auto unseen = [](double, double, const Vec2d&) {};
+  const auto hit = advance_straight(core, point<T>, start, direction, until, size, near, unseen);
   if (!hit) return {};
   return CoreRayHit{hit->t, hit->normal, hit->status};
 }
