@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 11238113980194443185u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 8058252122262173543u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 4317378670561159867u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 12864962808762874925u;
 
 }  // namespace graze::testing
 

@@ -168,7 +168,7 @@ TEST(PlaneShapes, HullsKeepExactlyTheCorners) {
   EXPECT_THROW(ConvexPolygon<float>(std::vector<Vec2f>{}), InvalidValue);
   EXPECT_THROW(Circle<double>(-1), InvalidValue);
   EXPECT_THROW(Box<double>({1, std::nan("")}), InvalidValue);
-  EXPECT_THROW(Shaped(Compound<double>({{Circle<double>(1), {}}}), 0.5), InvalidValue);
+  EXPECT_THROW(Shaped(Compound<double>({{Circle<double>(1), {}}}), -0.5), InvalidValue);
   // A point a hair off the line through two others, told apart where rounding says they are one.
   EXPECT_GT(orientation({0.5, 0.5}, {12, 12}, {24, std::nextafter(24.0, 25.0)}), 0);
   EXPECT_LT(orientation({0.5, 0.5}, {12, 12}, {24, std::nextafter(24.0, 23.0)}), 0);
