@@ -20,6 +20,8 @@
 
 #include "c/queries.inc"
 
+#include "c/measures.inc"
+
 #include "c/hulls.inc"
 
 #include "c/broad.inc"
@@ -35,6 +37,8 @@
 #include "c/space_simulations.inc"
 
 #include "c/plane.inc"
+
+#include "c/plane_measures.inc"
 
 #include "c/motion.inc"
 

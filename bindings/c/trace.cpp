@@ -112,6 +112,11 @@ graze::TraceAxis told(const GrazeTraceAxis& axis, const char* path) {
     if (std::isnan(end)) graze::validate::fail(path, "an interval", end);
   return {told(axis.name), told_vector(axis.direction, path), axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper};
 }
+graze::TraceSpan told(const GrazeTraceSpan& span, const char* path) {
+  for (const double end : {span.enter, span.leave})
+    if (std::isnan(end)) graze::validate::fail(path, "an interval", end);
+  return {told(span.name), told_vector(span.normal, path), span.enter, span.leave};
+}
 graze::TraceGjk told(const GrazeTraceGjk& step, const char* path) {
   return {told_supports(step.simplex, step.simplex_count, path),
           told_vector(step.direction, path),
@@ -185,6 +190,19 @@ void draw_step(graze::DebugDraw& on, const graze::Trace& trace, size_t step) {
 }
 
 }  // namespace
+
+graze::Trace graze::c::spans_of(const GrazeTraceView* view) {
+  Trace out;
+  out.winner = told(given(view, "view")->winner);
+  tell(view->spans, view->span_count, out.spans, "view.spans");
+  return out;
+}
+
+void graze::c::draw_span(DebugDraw& on, const Trace& trace, std::size_t span, const Ray<double>& ray) {
+  const std::size_t count = trace.spans.size();
+  if (span >= count) validate::fail("span", "a number below " + std::to_string(count), std::to_string(span));
+  draw(on, trace.spans[span], ray, trace.spans[span].name == trace.winner);
+}
 
 extern "C" {
 

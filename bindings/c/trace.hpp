@@ -2,6 +2,7 @@
 #pragma once
 
 #include "c/arguments.hpp"
+#include "graze/draw.hpp"
 #include "graze/trace.hpp"
 
 struct GrazeTrace {
@@ -29,5 +30,12 @@ inline Trace* emptied(GrazeTrace* trace) {
   told = {};
   return &told;
 }
+
+/// The spans of a view and its winner, checked.
+Trace spans_of(const GrazeTraceView* view);
+
+/// Draws one span of a ray, which decides where it is the trace's winner. Throws for a number that is not below that of
+/// the spans.
+void draw_span(DebugDraw& on, const Trace& trace, std::size_t span, const Ray<double>& ray);
 
 }  // namespace graze::c

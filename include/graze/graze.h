@@ -583,6 +583,37 @@ GRAZE_C_API GrazeStatus graze_shape_bounds_d(const GrazeShaped *shape, const Gra
 // The point of a bounded convex shape furthest along `direction`, in the shape's frame.
 GRAZE_C_API GrazeStatus graze_shape_support_d(const GrazeShaped *shape, GrazeVec3d direction, GrazeVec3d *point);
 
+// The measures that a shape was made of, without its rounding; 0 and false where its kind has no such measure.
+typedef struct GrazeShapeMeasuresd {
+  GrazeVec3d size;              // full edge lengths of a box or a rectangle, whose y is 0
+  GrazeVec3d radii;             // half axes of an ellipsoid
+  GrazeVec3d center;            // centre of a ball, in the shape's frame
+  double height;                // between the centres of a capsule's balls; the full height of a cylinder
+  double radius, radius_top;    // radius of a ball; radii of a capsule or a cylinder at -Y and at +Y
+  double spacing_x, spacing_z;  // distances between the columns and the rows of a height field
+  double tolerance;             // of a convex hull: no point that it was made of lies further outside
+  size_t columns, rows;         // of a height field
+  size_t children;              // number of a compound's children
+  bool convex;                  // a half-space is; meshes, height fields and compounds are not
+  bool closed;                  // every edge of a mesh is in two triangles that run through it in opposite directions
+  bool solid;                   // the inside of a mesh counts
+  GrazeSides sides;             // the sides of a mesh or a height field that push
+} GrazeShapeMeasuresd;
+
+// The measures of a shape of any kind, in constant time.
+GRAZE_C_API GrazeStatus graze_shape_measures_d(const GrazeShaped *shape, GrazeShapeMeasuresd *measures);
+// The vertices of a convex hull or a mesh, the corners of a triangle, the ends of a segment; other kinds are refused.
+// The points belong to the shape; constant time, as the two that follow.
+GRAZE_C_API GrazeStatus graze_shape_points_d(const GrazeShaped *shape, const GrazeVec3d **points, size_t *count);
+// The `count` triangles of a mesh, three indices of points each; other kinds are refused. They belong to the shape.
+GRAZE_C_API GrazeStatus graze_shape_triangles_d(const GrazeShaped *mesh, const uint32_t **triangles, size_t *count);
+// The heights of a height field as it was given them, row by row, with NaN for holes; other kinds are refused. They
+// belong to the shape.
+GRAZE_C_API GrazeStatus graze_shape_heights_d(const GrazeShaped *field, const double **heights, size_t *count);
+// The child of a compound by its index, counted from 0; other kinds are refused. Its shape is one more share, for the
+// caller to release.
+GRAZE_C_API GrazeStatus graze_shape_child_d(const GrazeShaped *compound, size_t index, GrazeChildd *child);
+
 // Properties of a body of density one; the inertia is about `center`, in the shape's frame. Volume 0 for shapes
 // without.
 typedef struct GrazeMassPropertiesd {
@@ -1258,6 +1289,15 @@ typedef struct GrazeJointd {
 // A joint of a named kind without drives. Its limits are constants of the library.
 GRAZE_C_API GrazeStatus graze_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePosed *frame_a,
                                               GrazeBodyId b, const GrazePosed *frame_b, GrazeJointd *joint);
+// A slider whose translation along the x axis keeps from `min` to `max`, either of which may be infinite, and a joint
+// that keeps the origins of the frames from `min` to `max` apart (`distance_joint` of graze/joint.hpp). Lengths, in
+// frame A. The limits belong to the buffer; bounds that no joint can have are refused when the joint is added.
+GRAZE_C_API GrazeStatus graze_joint_slider_d(GrazeBodyId a, const GrazePosed *frame_a, GrazeBodyId b,
+                                             const GrazePosed *frame_b, double min, double max, GrazeBufferd *buffer,
+                                             GrazeJointd *joint);
+GRAZE_C_API GrazeStatus graze_joint_distance_d(GrazeBodyId a, const GrazePosed *frame_a, GrazeBodyId b,
+                                               const GrazePosed *frame_b, double min, double max, GrazeBufferd *buffer,
+                                               GrazeJointd *joint);
 
 // Statistics of a step (graze/simulation.hpp); times by the clock in milliseconds.
 typedef struct GrazeStepReportd {
@@ -1342,6 +1382,9 @@ GRAZE_C_API GrazeStatus graze_simulation_joint_d(const GrazeSimulationd *simulat
 GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_d(const GrazeSimulationd *simulation, GrazeJointId id,
                                                           const double **impulses, size_t *count);
 GRAZE_C_API GrazeStatus graze_simulation_report_d(const GrazeSimulationd *simulation, GrazeStepReportd *report);
+// The settings as they are now.
+GRAZE_C_API GrazeStatus graze_simulation_settings_d(const GrazeSimulationd *simulation,
+                                                    GrazeSimulationSettingsd *settings);
 // The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_simulation_world_d(const GrazeSimulationd *simulation, const GrazeWorldd **world);
 // The simulation whose world it is, for questions alone: also in a replay, which refuses changes to it. Null for a world
@@ -1434,6 +1477,27 @@ GRAZE_C_API GrazeStatus graze_plane_shape_bounds_d(const GrazePlaneShaped *shape
 // The point of a bounded convex shape furthest along `direction`, in the shape's frame (graze/plane/support.hpp).
 GRAZE_C_API GrazeStatus graze_plane_shape_support_d(const GrazePlaneShaped *shape, GrazeVec2d direction,
                                                     GrazeVec2d *point);
+
+// The measures that a shape was made of, without its rounding; 0 and false where its kind has no such measure.
+typedef struct GrazePlaneShapeMeasuresd {
+  GrazeVec2d size;            // full edge lengths of a box
+  GrazeVec2d radii;           // half axes of an ellipse
+  double height;              // between the centres of a capsule's discs
+  double radius, radius_top;  // radius of a circle; radii of a capsule at -Y and at +Y
+  size_t children;            // number of a compound's children
+  bool convex;                // a half-plane is; polygons, chains and compounds are not, whatever their corners
+  bool closed;                // a chain goes on from its last point to the first
+  GrazeSides sides;           // the sides of a chain that push
+} GrazePlaneShapeMeasuresd;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_measures_d(const GrazePlaneShaped *shape, GrazePlaneShapeMeasuresd *measures);
+// The vertices of a convex polygon, the corners of a polygon or a chain without those on straight lines, the ends of a
+// segment; other kinds are refused. The points belong to the buffer; the time grows with their number.
+GRAZE_C_API GrazeStatus graze_plane_shape_points_d(const GrazePlaneShaped *shape, GrazeBufferd *buffer,
+                                                   const GrazeVec2d **points, size_t *count);
+// The child of a compound by its index, as in space.
+GRAZE_C_API GrazeStatus graze_plane_shape_child_d(const GrazePlaneShaped *compound, size_t index,
+                                                  GrazePlaneChildd *child);
 
 // Properties of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 for shapes without.
 typedef struct GrazePlaneMassPropertiesd {
@@ -1914,6 +1978,13 @@ typedef struct GrazePlaneJointd {
 // A joint of a named kind without drives; a ball is a hinge. Its limits are constants of the library.
 GRAZE_C_API GrazeStatus graze_plane_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePose2d *frame_a,
                                                     GrazeBodyId b, const GrazePose2d *frame_b, GrazePlaneJointd *joint);
+// A slider with bounds and a joint of distance, as in space.
+GRAZE_C_API GrazeStatus graze_plane_joint_slider_d(GrazeBodyId a, const GrazePose2d *frame_a, GrazeBodyId b,
+                                                   const GrazePose2d *frame_b, double min, double max,
+                                                   GrazeBufferd *buffer, GrazePlaneJointd *joint);
+GRAZE_C_API GrazeStatus graze_plane_joint_distance_d(GrazeBodyId a, const GrazePose2d *frame_a, GrazeBodyId b,
+                                                     const GrazePose2d *frame_b, double min, double max,
+                                                     GrazeBufferd *buffer, GrazePlaneJointd *joint);
 
 // Statistics of a step (graze/simulation.hpp); times by the clock in milliseconds.
 typedef struct GrazePlaneStepReportd {
@@ -2003,6 +2074,9 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_joint_impulses_d(const GrazePlane
                                                                 size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_simulation_report_d(const GrazePlaneSimulationd *simulation,
                                                         GrazePlaneStepReportd *report);
+// The settings as they are now.
+GRAZE_C_API GrazeStatus graze_plane_simulation_settings_d(const GrazePlaneSimulationd *simulation,
+                                                          GrazePlaneSimulationSettingsd *settings);
 // The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_plane_simulation_world_d(const GrazePlaneSimulationd *simulation,
                                                        const GrazePlaneWorldd **world);
@@ -2053,6 +2127,13 @@ GRAZE_C_API GrazeStatus graze_cast_draw_d(const GrazeMovingd *moving, double dur
                                           const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_cast_draw_d(const GrazePlaneMovingd *moving, double duration,
                                                 const GrazePlaneCastHitd *hit, const GrazeDebugDraw *on);
+// Draws one span of a trace, counted from 0: the stretch of `ray` that meets this condition on the points of a convex
+// shape, as far as the area of `on` where it has no end. `ray` is the one of the query, for a query of the plane with 0
+// as the third number. The span that is the trace's winner is drawn with its name and its normal.
+GRAZE_C_API GrazeStatus graze_trace_span_draw_d(const GrazeTrace *trace, size_t span, const GrazeRayd *ray,
+                                                const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_trace_view_span_draw_d(const GrazeTraceView *view, size_t span, const GrazeRayd *ray,
+                                                     const GrazeDebugDraw *on);
 // Draws a joint of bodies at these poses, whichever bodies: from either origin to its anchor, and the gap between the
 // anchors. Only the frames of the joint are read.
 GRAZE_C_API GrazeStatus graze_joint_draw_d(const GrazeJointd *joint, const GrazePosed *pose_a, const GrazePosed *pose_b,
@@ -2061,13 +2142,23 @@ GRAZE_C_API GrazeStatus graze_plane_joint_draw_d(const GrazePlaneJointd *joint, 
                                                  const GrazePose2d *pose_b, const GrazeDebugDraw *on);
 // Draws the boxes of a tree, or of another structure, in the layer of trees.
 GRAZE_C_API GrazeStatus graze_tree_draw_d(const GrazeAabbd *boxes, size_t count, const GrazeDebugDraw *on);
-// Draws all bodies of a world, their bounds, and the contacts of its last update; for a simulation also its joints,
-// with sleeping bodies marked.
+// Draws all bodies of a world, their bounds, the tree of these, and the contacts of its last update; for a simulation
+// also its joints, with sleeping bodies marked. One of these alone is drawn where `on` has no other layer:
+// 1 << GRAZE_DRAW_TREE for the tree.
 GRAZE_C_API GrazeStatus graze_world_draw_d(const GrazeWorldd *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_simulation_draw_d(const GrazeSimulationd *simulation, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_simulation_draw_d(const GrazePlaneSimulationd *simulation,
                                                       const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_d(const GrazePlaneWorldd *world, const GrazeDebugDraw *on);
+// Draws one body as the drawing of the whole world or simulation does, with its bounds; a body that is not there is
+// refused. The time grows with the pairs of the last update.
+GRAZE_C_API GrazeStatus graze_world_draw_body_d(const GrazeWorldd *world, GrazeBodyId id, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_simulation_draw_body_d(const GrazeSimulationd *simulation, GrazeBodyId id,
+                                                     const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_world_draw_body_d(const GrazePlaneWorldd *world, GrazeBodyId id,
+                                                      const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_simulation_draw_body_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                           const GrazeDebugDraw *on);
 // Writes the centre and the size of all bounded bodies to `on`.
 GRAZE_C_API GrazeStatus graze_world_draw_area_d(const GrazeWorldd *world, GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_area_d(const GrazePlaneWorldd *world, GrazeDebugDraw *on);
@@ -2079,9 +2170,10 @@ GRAZE_C_API GrazeStatus graze_plane_world_draw_area_d(const GrazePlaneWorldd *wo
 typedef void (*GrazeReplayFunctiond)(void *user, size_t frame, const GrazeWorldd *world,
                                      const GrazePlaneWorldd *plane_world);
 // Plays a capture in this scalar again, to its end or to the first difference. `each` may be null. Any bytes may be
-// given: GRAZE_INVALID_VALUE for bytes that are no capture or damaged, with the frame and where it begins.
+// given: GRAZE_INVALID_VALUE for bytes that are no capture or damaged, with the frame and where it begins. `executor`
+// may be null: the calling thread. The bits are the same for any number of threads.
 GRAZE_C_API GrazeStatus graze_replay_d(const void *bytes, size_t size, GrazeReplayFunctiond each, void *user,
-                                       GrazeReplayReport *report);
+                                       GrazeReplayReport *report, const GrazeExecutor *executor);
 
 // </double>
 // ---------------------------------------------------------------------------------------------------------------------
@@ -2157,6 +2249,28 @@ GRAZE_C_API GrazeStatus graze_shape_kind_f(const GrazeShapef *shape, GrazeShapeK
 GRAZE_C_API GrazeStatus graze_shape_rounding_f(const GrazeShapef *shape, float *rounding);
 GRAZE_C_API GrazeStatus graze_shape_bounds_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeAabbf *bounds);
 GRAZE_C_API GrazeStatus graze_shape_support_f(const GrazeShapef *shape, GrazeVec3f direction, GrazeVec3f *point);
+
+typedef struct GrazeShapeMeasuresf {
+  GrazeVec3f size;
+  GrazeVec3f radii;
+  GrazeVec3f center;
+  float height;
+  float radius, radius_top;
+  float spacing_x, spacing_z;
+  float tolerance;
+  size_t columns, rows;
+  size_t children;
+  bool convex;
+  bool closed;
+  bool solid;
+  GrazeSides sides;
+} GrazeShapeMeasuresf;
+
+GRAZE_C_API GrazeStatus graze_shape_measures_f(const GrazeShapef *shape, GrazeShapeMeasuresf *measures);
+GRAZE_C_API GrazeStatus graze_shape_points_f(const GrazeShapef *shape, const GrazeVec3f **points, size_t *count);
+GRAZE_C_API GrazeStatus graze_shape_triangles_f(const GrazeShapef *mesh, const uint32_t **triangles, size_t *count);
+GRAZE_C_API GrazeStatus graze_shape_heights_f(const GrazeShapef *field, const float **heights, size_t *count);
+GRAZE_C_API GrazeStatus graze_shape_child_f(const GrazeShapef *compound, size_t index, GrazeChildf *child);
 
 typedef struct GrazeMassPropertiesf {
   float volume;
@@ -2704,6 +2818,12 @@ typedef struct GrazeJointf {
 
 GRAZE_C_API GrazeStatus graze_joint_of_kind_f(GrazeJointKind kind, GrazeBodyId a, const GrazePosef *frame_a,
                                               GrazeBodyId b, const GrazePosef *frame_b, GrazeJointf *joint);
+GRAZE_C_API GrazeStatus graze_joint_slider_f(GrazeBodyId a, const GrazePosef *frame_a, GrazeBodyId b,
+                                             const GrazePosef *frame_b, float min, float max, GrazeBufferf *buffer,
+                                             GrazeJointf *joint);
+GRAZE_C_API GrazeStatus graze_joint_distance_f(GrazeBodyId a, const GrazePosef *frame_a, GrazeBodyId b,
+                                               const GrazePosef *frame_b, float min, float max, GrazeBufferf *buffer,
+                                               GrazeJointf *joint);
 
 typedef struct GrazeStepReportf {
   size_t awake, islands, contacts, colors;
@@ -2772,6 +2892,8 @@ GRAZE_C_API GrazeStatus graze_simulation_joint_f(const GrazeSimulationf *simulat
 GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_f(const GrazeSimulationf *simulation, GrazeJointId id,
                                                           const float **impulses, size_t *count);
 GRAZE_C_API GrazeStatus graze_simulation_report_f(const GrazeSimulationf *simulation, GrazeStepReportf *report);
+GRAZE_C_API GrazeStatus graze_simulation_settings_f(const GrazeSimulationf *simulation,
+                                                    GrazeSimulationSettingsf *settings);
 GRAZE_C_API GrazeStatus graze_simulation_world_f(const GrazeSimulationf *simulation, const GrazeWorldf **world);
 GRAZE_C_API GrazeStatus graze_world_simulation_f(const GrazeWorldf *world, const GrazeSimulationf **simulation);
 
@@ -2838,6 +2960,23 @@ GRAZE_C_API GrazeStatus graze_plane_shape_bounds_f(const GrazePlaneShapef *shape
                                                    GrazeAabb2f *bounds);
 GRAZE_C_API GrazeStatus graze_plane_shape_support_f(const GrazePlaneShapef *shape, GrazeVec2f direction,
                                                     GrazeVec2f *point);
+
+typedef struct GrazePlaneShapeMeasuresf {
+  GrazeVec2f size;
+  GrazeVec2f radii;
+  float height;
+  float radius, radius_top;
+  size_t children;
+  bool convex;
+  bool closed;
+  GrazeSides sides;
+} GrazePlaneShapeMeasuresf;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_measures_f(const GrazePlaneShapef *shape, GrazePlaneShapeMeasuresf *measures);
+GRAZE_C_API GrazeStatus graze_plane_shape_points_f(const GrazePlaneShapef *shape, GrazeBufferf *buffer,
+                                                   const GrazeVec2f **points, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_shape_child_f(const GrazePlaneShapef *compound, size_t index,
+                                                  GrazePlaneChildf *child);
 
 typedef struct GrazePlaneMassPropertiesf {
   float area;
@@ -3270,6 +3409,12 @@ typedef struct GrazePlaneJointf {
 
 GRAZE_C_API GrazeStatus graze_plane_joint_of_kind_f(GrazeJointKind kind, GrazeBodyId a, const GrazePose2f *frame_a,
                                                     GrazeBodyId b, const GrazePose2f *frame_b, GrazePlaneJointf *joint);
+GRAZE_C_API GrazeStatus graze_plane_joint_slider_f(GrazeBodyId a, const GrazePose2f *frame_a, GrazeBodyId b,
+                                                   const GrazePose2f *frame_b, float min, float max,
+                                                   GrazeBufferf *buffer, GrazePlaneJointf *joint);
+GRAZE_C_API GrazeStatus graze_plane_joint_distance_f(GrazeBodyId a, const GrazePose2f *frame_a, GrazeBodyId b,
+                                                     const GrazePose2f *frame_b, float min, float max,
+                                                     GrazeBufferf *buffer, GrazePlaneJointf *joint);
 
 typedef struct GrazePlaneStepReportf {
   size_t awake, islands, contacts, colors;
@@ -3346,6 +3491,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_joint_impulses_f(const GrazePlane
                                                                 size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_simulation_report_f(const GrazePlaneSimulationf *simulation,
                                                         GrazePlaneStepReportf *report);
+GRAZE_C_API GrazeStatus graze_plane_simulation_settings_f(const GrazePlaneSimulationf *simulation,
+                                                          GrazePlaneSimulationSettingsf *settings);
 GRAZE_C_API GrazeStatus graze_plane_simulation_world_f(const GrazePlaneSimulationf *simulation,
                                                        const GrazePlaneWorldf **world);
 GRAZE_C_API GrazeStatus graze_plane_world_simulation_f(const GrazePlaneWorldf *world,
@@ -3385,6 +3532,10 @@ GRAZE_C_API GrazeStatus graze_cast_draw_f(const GrazeMovingf *moving, float dura
                                           const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_cast_draw_f(const GrazePlaneMovingf *moving, float duration,
                                                 const GrazePlaneCastHitf *hit, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_trace_span_draw_f(const GrazeTrace *trace, size_t span, const GrazeRayf *ray,
+                                                const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_trace_view_span_draw_f(const GrazeTraceView *view, size_t span, const GrazeRayf *ray,
+                                                     const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_joint_draw_f(const GrazeJointf *joint, const GrazePosef *pose_a, const GrazePosef *pose_b,
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_joint_draw_f(const GrazePlaneJointf *joint, const GrazePose2f *pose_a,
@@ -3395,13 +3546,20 @@ GRAZE_C_API GrazeStatus graze_simulation_draw_f(const GrazeSimulationf *simulati
 GRAZE_C_API GrazeStatus graze_plane_simulation_draw_f(const GrazePlaneSimulationf *simulation,
                                                       const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_f(const GrazePlaneWorldf *world, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_world_draw_body_f(const GrazeWorldf *world, GrazeBodyId id, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_simulation_draw_body_f(const GrazeSimulationf *simulation, GrazeBodyId id,
+                                                     const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_world_draw_body_f(const GrazePlaneWorldf *world, GrazeBodyId id,
+                                                      const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_simulation_draw_body_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                           const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_world_draw_area_f(const GrazeWorldf *world, GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_area_f(const GrazePlaneWorldf *world, GrazeDebugDraw *on);
 
 typedef void (*GrazeReplayFunctionf)(void *user, size_t frame, const GrazeWorldf *world,
                                      const GrazePlaneWorldf *plane_world);
 GRAZE_C_API GrazeStatus graze_replay_f(const void *bytes, size_t size, GrazeReplayFunctionf each, void *user,
-                                       GrazeReplayReport *report);
+                                       GrazeReplayReport *report, const GrazeExecutor *executor);
 
 // </float>
 

@@ -42,13 +42,13 @@ TEST(CReplay, HandsOutTheWorldAfterEachFrame) {
   const std::string file = captured_fall();
   Seen seen;
   GrazeReplayReport report;
-  ASSERT_EQ(graze_replay_d(file.data(), file.size(), &count, &seen, &report), GRAZE_OK);
+  ASSERT_EQ(graze_replay_d(file.data(), file.size(), &count, &seen, &report, nullptr), GRAZE_OK);
   EXPECT_TRUE(report.simulation && !report.plane && !report.cut && !report.differs);
   EXPECT_EQ(report.frames, 5u);
   EXPECT_EQ(report.calls, 8u);
   EXPECT_EQ(seen.frames, 5u);
   EXPECT_EQ(seen.bodies, 1u);
-  ASSERT_EQ(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report), GRAZE_OK);
+  ASSERT_EQ(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report, nullptr), GRAZE_OK);
   EXPECT_EQ(report.frames, 5u);
 }
 
@@ -115,7 +115,7 @@ TEST(CReplay, OfThePlaneToo) {
   world.update();
   Seen seen;
   GrazeReplayReport report;
-  ASSERT_EQ(graze_replay_d(out.str().data(), out.str().size(), &count, &seen, &report), GRAZE_OK);
+  ASSERT_EQ(graze_replay_d(out.str().data(), out.str().size(), &count, &seen, &report, nullptr), GRAZE_OK);
   EXPECT_TRUE(report.plane && !report.simulation);
   EXPECT_EQ(seen.of_plane, 1u);
   EXPECT_EQ(seen.bodies, 2u);
@@ -185,7 +185,7 @@ TEST(CCapture, ASimulationWithItsStatesRunsAgainToTheSameBits) {
   graze_shape_release_d(ball);
 
   GrazeReplayReport report;
-  ASSERT_EQ(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report), GRAZE_OK);
+  ASSERT_EQ(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report, nullptr), GRAZE_OK);
   EXPECT_TRUE(report.simulation && !report.differs && !report.cut);
   EXPECT_EQ(report.calls,
             2u + 3u + 3u + 15u);  // a shape and a body, steps, two saves and a restore, and the saves after
@@ -218,7 +218,7 @@ TEST(CCapture, AWorldRunsAgainAndRefusesWhatNoFileHolds) {
     *static_cast<std::string*>(user) = name;
   };
   std::string name;
-  ASSERT_EQ(graze_replay_f(file.data(), file.size(), name_of_last, &name, &report), GRAZE_OK);
+  ASSERT_EQ(graze_replay_f(file.data(), file.size(), name_of_last, &name, &report, nullptr), GRAZE_OK);
   EXPECT_EQ(name, "disc");
   EXPECT_TRUE(report.plane && !report.simulation && !report.differs && !report.cut);
   EXPECT_EQ(report.frames, 2u);
@@ -236,12 +236,12 @@ TEST(CCapture, AWorldRunsAgainAndRefusesWhatNoFileHolds) {
 TEST(CReplay, RefusesWhatIsNoCaptureOfItsScalar) {
   const std::string file = captured_fall();
   GrazeReplayReport report;
-  EXPECT_EQ(graze_replay_f(file.data(), file.size(), nullptr, nullptr, &report), GRAZE_INVALID_VALUE);
+  EXPECT_EQ(graze_replay_f(file.data(), file.size(), nullptr, nullptr, &report, nullptr), GRAZE_INVALID_VALUE);
   EXPECT_STREQ(graze_last_error(), "bytes: expected a capture of the function's scalar, got one in double");
-  EXPECT_EQ(graze_replay_d("hello", 5, nullptr, nullptr, &report), GRAZE_INVALID_VALUE);
+  EXPECT_EQ(graze_replay_d("hello", 5, nullptr, nullptr, &report, nullptr), GRAZE_INVALID_VALUE);
   EXPECT_STREQ(graze_last_error(), "bytes: expected a capture, got something else");
-  EXPECT_EQ(graze_replay_d(nullptr, 5, nullptr, nullptr, &report), GRAZE_INVALID_VALUE);
-  EXPECT_EQ(graze_replay_d(file.data(), file.size(), nullptr, nullptr, nullptr), GRAZE_INVALID_VALUE);
+  EXPECT_EQ(graze_replay_d(nullptr, 5, nullptr, nullptr, &report, nullptr), GRAZE_INVALID_VALUE);
+  EXPECT_EQ(graze_replay_d(file.data(), file.size(), nullptr, nullptr, nullptr, nullptr), GRAZE_INVALID_VALUE);
 }
 
 }  // namespace

@@ -160,6 +160,23 @@ TEST_F(ExplainedInC, ThePlaneTellsItsPolygons) {
   bool yes = false;
   plane::cast(cpp_square, {}, {}, cpp_circle, at, plane::Velocity<double>{{-1, 0}, 0}, 2.0, {}, &cpp);
   compare(graze_plane_cast_explained_d(&standing, &moving, 2, GRAZE_SEPARATING_HIT, &yes, &blow, trace), cpp);
+  cpp = {};
+  plane::overlap(cpp_square, {}, cpp_circle, at, &cpp);
+  compare(graze_plane_overlap_explained_d(square, &c_origin, circle, &c_at, &yes, trace), cpp);
+  cpp = {};
+  plane::Manifolds<double> manifolds;
+  plane::contacts(cpp_square, {}, cpp_circle, at, 1.0, manifolds, &cpp);
+  GrazePlaneContactsd found;
+  compare(graze_plane_contacts_explained_d(square, &c_origin, circle, &c_at, 1, buffer, &found, trace), cpp);
+  cpp = {};
+  plane::closest(cpp_square, {}, plane::Vec2d{3, 0.5}, &cpp);
+  GrazePlaneClosestd nearest;
+  compare(graze_plane_closest_explained_d(square, &c_origin, {3, 0.5}, &nearest, trace), cpp);
+  cpp = {};
+  const GrazePlaneRayd ray{{-5, 0.25}, {1, 0}};
+  GrazePlaneRayHitd hit;
+  plane::raycast(cpp_square, {}, std::bit_cast<plane::Ray<double>>(ray), 9.0, &cpp);
+  compare(graze_plane_raycast_explained_d(square, &c_origin, &ray, 9, &yes, &hit, trace), cpp);
   graze_plane_shape_release_d(square), graze_plane_shape_release_d(circle);
 }
 

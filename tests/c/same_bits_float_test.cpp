@@ -25,3 +25,7 @@
 #include "c/same_bits_plane_simulations.inc"
 
 #include "c/same_bits_motion.inc"
+
+#include "c/same_bits_shapes.inc"
+
+#include "c/same_bits_changes.inc"

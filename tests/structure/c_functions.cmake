@@ -1,0 +1,36 @@
+# Every function of the C interface is named by some test of it. A test names graze_shape_box_d as it is, or once a
+# scalar, NAME(shape_box), or once a scalar and a space, CALLED(simulation_step), which is graze_plane_simulation_step_d
+# as well.
+cmake_minimum_required(VERSION 3.22)
+
+set(header "${ROOT}/include/graze/graze.h")
+file(READ "${header}" text)
+string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+string(REGEX MATCHALL "[ *]graze_[a-z0-9_]+\\(" declared "${text}")
+list(TRANSFORM declared REPLACE "^[ *]|\\($" "")
+list(TRANSFORM declared REPLACE "_[df]$" "")
+list(REMOVE_DUPLICATES declared)
+list(LENGTH declared count)
+if(count LESS 100)
+  message(FATAL_ERROR "${header}: ${count} functions are found")
+endif()
+
+set(named "")
+file(GLOB tests "${ROOT}/tests/c/*.c" "${ROOT}/tests/c/*.cpp" "${ROOT}/tests/c/*.inc")
+foreach(test IN LISTS tests)
+  file(READ "${test}" text)
+  string(REGEX MATCHALL "graze_[a-z0-9_]+" plain "${text}")
+  list(TRANSFORM plain REPLACE "_[df]$" "")
+  string(REGEX MATCHALL "NAME\\([a-z0-9_]+" of_scalar "${text}")
+  list(TRANSFORM of_scalar REPLACE "^NAME\\(" "graze_")
+  string(REGEX MATCHALL "CALLED\\([a-z0-9_]+" of_space "${text}")
+  list(TRANSFORM of_space REPLACE "^CALLED\\(" "graze_" OUTPUT_VARIABLE in_space)
+  list(TRANSFORM of_space REPLACE "^CALLED\\(" "graze_plane_" OUTPUT_VARIABLE in_plane)
+  list(APPEND named ${plain} ${of_scalar} ${in_space} ${in_plane})
+endforeach()
+
+list(REMOVE_ITEM declared ${named})
+if(declared)
+  list(JOIN declared "\n  " lines)
+  message(FATAL_ERROR "named by no test of tests/c:\n  ${lines}")
+endif()
