@@ -1,6 +1,6 @@
 # What public headers promise of themselves, tried with each compiler of COMPILERS: they compile without exceptions and
 # run-time type information, also into a program that is linked with LIBRARY and runs; with other containers than the
-# library's a program is not linked; an older standard is refused in one line, graze.hpp includes all of the core, and
+# library's a program is not linked; an older standard is refused before any other error, graze.hpp includes all of the core, and
 # graze.h is C99 and C++.
 cmake_minimum_required(VERSION 3.22)
 
@@ -40,6 +40,12 @@ foreach(compiler IN LISTS COMPILERS)
                   RESULT_VARIABLE result ERROR_VARIABLE errors)
   if(result EQUAL 0 OR NOT errors MATCHES "Graze needs C\\+\\+20")
     message(FATAL_ERROR "${compiler} -std=c++17 does not say which standard is needed: ${errors}")
+  endif()
+  # The second error is what ends the compilation.
+  string(REGEX MATCHALL "error: " found "${errors}")
+  list(LENGTH found count)
+  if(count GREATER 2)
+    message(FATAL_ERROR "${compiler} -std=c++17 says which standard is needed among ${count} errors")
   endif()
 endforeach()
 

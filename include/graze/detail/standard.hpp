@@ -10,6 +10,8 @@
 
 #if defined(_MSVC_LANG) ? _MSVC_LANG < 202002L : __cplusplus < 202002L
 #error "Graze needs C++20: compile with -std=c++20 (or /std:c++20) or later"
+// No such file: g++ and clang go on after #error and end here, before the other headers' errors hide that one.
+#include <graze/needs_cpp20>
 #endif
 
 #if defined(__GNUC__)
