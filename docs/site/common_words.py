@@ -108,6 +108,7 @@ OF_C = [
     (r".*\bgraze_plane_(shape_)?(\w+)_explained_[df]\(", r"As `graze::plane::\2`, and fills a trace."),
     (r".*\bgraze_(\w+)_explained_[df]\(", r"As `graze::\1`, and fills a trace."),
     (r".*\bgraze_plane_world_draw_area_[df]\(", "Turns the area to what the world holds."),
+    (r".*\bgraze_\w+_draw_body_[df]\(", "As `graze::draw` of one body (graze/draw.hpp)."),
     (r".*\bgraze_\w+_draw_[df]\(", "As `graze::draw` of the same thing (graze/draw.hpp)."),
     (r".*\bgraze_plane_shape_(\w+)_[df]\(", r"As `\1` of `graze::plane` (graze/plane/shape.hpp)."),
     (r".*\bgraze_shape_(\w+)_[df]\(", r"As `\1` of C++ (graze/shape.hpp)."),

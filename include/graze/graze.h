@@ -1289,12 +1289,13 @@ typedef struct GrazeJointd {
 // A joint of a named kind without drives. Its limits are constants of the library.
 GRAZE_C_API GrazeStatus graze_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePosed *frame_a,
                                               GrazeBodyId b, const GrazePosed *frame_b, GrazeJointd *joint);
-// A slider whose translation along the x axis keeps from `min` to `max`, either of which may be infinite, and a joint
-// that keeps the origins of the frames from `min` to `max` apart (`distance_joint` of graze/joint.hpp). Lengths, in
-// frame A. The limits belong to the buffer; bounds that no joint can have are refused when the joint is added.
+// A slider whose translation along the x axis of frame A keeps from `min` to `max`, lengths of which either may be
+// infinite. The limits belong to the buffer; bounds that no joint can have are refused when the joint is added.
 GRAZE_C_API GrazeStatus graze_joint_slider_d(GrazeBodyId a, const GrazePosed *frame_a, GrazeBodyId b,
                                              const GrazePosed *frame_b, double min, double max, GrazeBufferd *buffer,
                                              GrazeJointd *joint);
+// A joint that keeps the origins of the frames from `min` to `max` apart. The limit belongs to the buffer; bounds that
+// no joint can have are refused when the joint is added.
 GRAZE_C_API GrazeStatus graze_joint_distance_d(GrazeBodyId a, const GrazePosed *frame_a, GrazeBodyId b,
                                                const GrazePosed *frame_b, double min, double max, GrazeBufferd *buffer,
                                                GrazeJointd *joint);
@@ -1490,6 +1491,7 @@ typedef struct GrazePlaneShapeMeasuresd {
   GrazeSides sides;           // the sides of a chain that push
 } GrazePlaneShapeMeasuresd;
 
+// The measures of a shape of any kind, in constant time.
 GRAZE_C_API GrazeStatus graze_plane_shape_measures_d(const GrazePlaneShaped *shape, GrazePlaneShapeMeasuresd *measures);
 // The vertices of a convex polygon, the corners of a polygon or a chain without those on straight lines, the ends of a
 // segment; other kinds are refused. The points belong to the buffer; the time grows with their number.
@@ -1978,10 +1980,11 @@ typedef struct GrazePlaneJointd {
 // A joint of a named kind without drives; a ball is a hinge. Its limits are constants of the library.
 GRAZE_C_API GrazeStatus graze_plane_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePose2d *frame_a,
                                                     GrazeBodyId b, const GrazePose2d *frame_b, GrazePlaneJointd *joint);
-// A slider with bounds and a joint of distance, as in space.
+// A slider with bounds, as in space.
 GRAZE_C_API GrazeStatus graze_plane_joint_slider_d(GrazeBodyId a, const GrazePose2d *frame_a, GrazeBodyId b,
                                                    const GrazePose2d *frame_b, double min, double max,
                                                    GrazeBufferd *buffer, GrazePlaneJointd *joint);
+// A joint that keeps the origins of the frames from `min` to `max` apart, as in space.
 GRAZE_C_API GrazeStatus graze_plane_joint_distance_d(GrazeBodyId a, const GrazePose2d *frame_a, GrazeBodyId b,
                                                      const GrazePose2d *frame_b, double min, double max,
                                                      GrazeBufferd *buffer, GrazePlaneJointd *joint);
@@ -2132,6 +2135,7 @@ GRAZE_C_API GrazeStatus graze_plane_cast_draw_d(const GrazePlaneMovingd *moving,
 // as the third number. The span that is the trace's winner is drawn with its name and its normal.
 GRAZE_C_API GrazeStatus graze_trace_span_draw_d(const GrazeTrace *trace, size_t span, const GrazeRayd *ray,
                                                 const GrazeDebugDraw *on);
+// Draws one span of a view, which belongs to a trace or is the caller's own.
 GRAZE_C_API GrazeStatus graze_trace_view_span_draw_d(const GrazeTraceView *view, size_t span, const GrazeRayd *ray,
                                                      const GrazeDebugDraw *on);
 // Draws a joint of bodies at these poses, whichever bodies: from either origin to its anchor, and the gap between the
