@@ -1,4 +1,5 @@
-// The C interface of Graze: the whole library for programs in C99 and for all languages that can call C.
+// The C interface of Graze, for programs in C99 and for all languages that can call C: the library but for what the page
+// docs/c.md names at its end, which C++ alone has.
 //
 // Guarantee: answers are those of the C++ interface, bit for bit, and so are their guarantees, which are in the C++
 // headers named below. No exception leaves a function. A function that can fail returns a GrazeStatus and, where that
