@@ -103,7 +103,7 @@ export function replays(core, layout, ofSpace, ofPlane) {
         });
         const p = core.room(layout.replayReport.size);
         try {
-          core.call("replay", ...from, core.exports.graze_js_frame(), key, p);
+          core.call("replay", ...from, core.exports.graze_js_frame(), key, p, 0); // on one thread
         } finally {
           core.callbacks.delete(key);
         }

@@ -24,8 +24,8 @@ test("viewer: meshes of files have the triangles that the library reads", async 
   for (const [name, buffer] of [["text.ply", text], ["bytes.ply", Buffer.concat([Buffer.from(head("binary_little_endian")), bytes])], ["one.stl", stl],
     ["two.obj", Buffer.from("o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no two\nv 0 0 0.1\nf 1 2 4\n")]]) {
     await page.setInputFiles("input[type=file]", { name, mimeType: "application/octet-stream", buffer });
-    await page.waitForFunction((title) => window.lab.scene.name === title, name);
-    const mesh = graze.meshOfFile(buffer, name.slice(-3)), { shape } = await page.evaluate(() => window.lab.scene.bodies[0]);
+    await page.waitForFunction((title) => window.lab.play.scene.name === title, name);
+    const mesh = graze.meshOfFile(buffer, name.slice(-3)), { shape } = await page.evaluate(() => window.lab.play.scene.bodies[0]);
     assert.deepEqual(shape, graze.protocolShape(mesh), name);
     mesh.dispose();
   }
