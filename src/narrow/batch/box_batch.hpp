@@ -13,12 +13,20 @@
 
 namespace graze {
 
+/// Whether a contact point is deeper than another.
+struct IsDeeper {
+  template <class T>
+  bool operator()(const ContactPoint<T>& point, const ContactPoint<T>& than) const {
+    return point.distance < than.distance;
+  }
+};
+
 /// Appends the points in the slots of one pair, at most eight, to `points` (of contact points or of types that begin
 /// with one), and returns their number. Of two points with the same features the deeper one is kept. `slot(i)` returns
 /// the i-th slot; `features_a` and `features_b` are the features of the parts of A and B.
-template <class T, class Slot, class Points>
+template <class T, class Slot, class Points, class Deeper = IsDeeper>
 std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* features_a,
-                        const std::uint32_t* features_b, Points& points) {
+                        const std::uint32_t* features_b, Points& points, const Deeper& deeper = {}) {
   using Point = std::remove_cvref_t<decltype(points[0])>;
   const std::size_t first = points.size();
   // All points lie on one face of either shape, where features are equal exactly where parts are. A pair of parts whose
@@ -35,7 +43,7 @@ std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* 
       std::size_t place = first;
       while (place < points.size() && points[place].feature != feature) ++place;
       if (place < points.size()) {
-        if (from.distance < points[place].distance) points[place] = Point{point};
+        if (deeper(point, points[place])) points[place] = Point{point};
         continue;
       }
     }

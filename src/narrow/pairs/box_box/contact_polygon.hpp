@@ -109,6 +109,22 @@ class ContactPolygon {
     return low;
   }
 
+  /// As `find_deepest`, but `simplify` keeps the corner that is deepest once the faces are tilted: `tilt` is how much
+  /// nearer they come for each unit along x and y. Of corners that only rounding tells apart, that is one by its place.
+  S find_deepest_tilted(const FlatPoint<S>& tilt) {
+    const S none(std::numeric_limits<T>::infinity());
+    S low = none, low_tilted = none;
+    deepest_ = none;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const S tilted = apart[i] - (x[i] * tilt.x + y[i] * tilt.y);
+      const Mask deeper = is_[i] & (tilted < low_tilted);
+      low = select(is_[i], least(low, apart[i]), low);
+      low_tilted = select(deeper, tilted, low_tilted);
+      deepest_ = select(deeper, S(static_cast<T>(i)), deepest_);
+    }
+    return low;
+  }
+
   /// Marks corners, from slot `i` on, as removed; `close_up` completes the removal.
   void drop(std::size_t i, const Somes& corners) {
     const Mask one[step] = {corners[0]};

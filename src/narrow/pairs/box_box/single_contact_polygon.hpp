@@ -135,6 +135,20 @@ class ContactPolygon<S> {
     return least_apart;
   }
 
+  S find_deepest_tilted(const FlatPoint<S>& tilt) {
+    const Some none{S(std::numeric_limits<S>::infinity())}, tilt_x(tilt.x), tilt_y(tilt.y);
+    Some low = none, low_tilted = none, first = none;
+    for (std::size_t i = 0; i < most_contact_slots; i += step) {
+      const Some tilted = some(apart, i) - (some(x, i) * tilt_x + some(y, i) * tilt_y);
+      const Somes corners = are(i), deeper = corners & (tilted < low_tilted);
+      low = select(corners, least(low, some(apart, i)), low);
+      low_tilted = select(deeper, tilted, low_tilted);
+      first = select(deeper, numbers(i), first);
+    }
+    deepest_ = least_of(select(low_tilted == Some(least_of(low_tilted)), first, none));
+    return least_of(low);
+  }
+
   void drop(std::size_t i, const Somes& corners) { gone_ |= corners.bits() << i; }
   void drop(std::size_t i, const bool (&corners)[step]) {
     for (unsigned k = 0; k < step; ++k) gone_ |= static_cast<unsigned>(corners[k]) << (i + k);

@@ -7,6 +7,7 @@
 // be distinguished are never known.
 #pragma once
 
+#include "graze/contact.hpp"
 #include "narrow/core/answer_rounding.hpp"
 #include "narrow/pairs/box_box/clip_box_faces.hpp"
 #include "narrow/pairs/triangle_triangle/clip_triangles.hpp"
@@ -33,6 +34,23 @@ struct MeetingTriangles {
   S margin;
   S unit;          ///< unit of the frame, in that of the answer
   Vec3<S> origin;  ///< origin of the frame, in the answer's frame
+};
+
+/// By how much faces tilt, and where to, for the choice among points that are equally deep: far more than rounding
+/// makes of a hundredth of an edge, and far less than a depth that matters. The direction is the world's, hence the
+/// same when A and B are swapped, and no axis along which things are laid out.
+inline constexpr Vec3d level_tilt{0.83e-11, 0.31e-11, 0.47e-11};
+
+/// Whether a contact point is deeper than another or, where only rounding tells their depths apart, comes first by its
+/// place.
+struct IsDeeperTilted {
+  template <class T>
+  bool operator()(const ContactPoint<T>& point, const ContactPoint<T>& than) const {
+    const auto height = [](const ContactPoint<T>& p) {
+      return static_cast<double>(p.distance) - dot(level_tilt, converted<double>(p.a));
+    };
+    return height(point) < height(than);
+  }
 };
 
 namespace detail {
@@ -236,7 +254,8 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
   detail::ContactPolygon<S> corners = detail::ring_of(slots, [&](const FlatPoint<S>& at) {
     return select(along.in_point, m.distance, b.apart_at(at) - a.apart_at(at));
   });
-  const S nearest = corners.find_deepest();
+  const S nearest =
+      corners.find_deepest_tilted(frame.flat({S(T(level_tilt.x)), S(T(level_tilt.y)), S(T(level_tilt.z))}));
   detail::simplify(corners, near);
 
   found.normal = along.normal;

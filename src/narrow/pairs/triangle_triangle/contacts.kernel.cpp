@@ -48,14 +48,15 @@ template <class T>
     const std::uint32_t feature = feature_id(triangle_features[part_a], triangle_features[part_b]);
     const T distance = static_cast<T>(found.distance[i][lane]);
     const std::uint64_t bit = std::uint64_t{1} << (8 * part_a + part_b);
+    const ContactPoint<T> point{vector(found.a), vector(found.b), distance, feature, T(0.5)};
     std::size_t place = count;
     if ((seen & bit) != 0) [[unlikely]] {
       place = 0;
       while (to[place].feature != feature) ++place;
-      if (!(distance < to[place].distance)) continue;
+      if (!IsDeeperTilted()(point, to[place])) continue;
     }
     seen |= bit;
-    to[place] = {vector(found.a), vector(found.b), distance, feature, T(0.5)};
+    to[place] = point;
     count += place == count;
   }
   return count;

@@ -1,5 +1,6 @@
 #include "narrow/pairs/triangle_triangle/pair.hpp"
 
+#include "narrow/alike_order.hpp"
 #include "narrow/batch/box_batch.hpp"
 #include "narrow/general_contacts.hpp"
 #include "narrow/manifold/polygon.hpp"
@@ -41,6 +42,37 @@ PlacedFace face_along(const Vec3d (&point)[3], const Vec3d& direction) {
   return face;
 }
 
+/// The contacts by the general path's clipping, from the axes and the distance.
+template <class T>
+void contacts_by_faces(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
+                       const TriangleAxes<double>& axes, const Distance<T>& d, Manifold<T>& manifold) {
+  const PlacedTriangle<double> placed_a = placed_triangle(a), placed_b = placed_triangle(b);
+  const TriangleAxis<double>&face = axes.face, &edge = axes.edge;
+  const AxisChoice<double> choice = choose_axis(face.separation, edge.separation, axes.noise, axes.smaller);
+  const double separation = choice.separation, apart = separation - placed_a.radius - placed_b.radius;
+  const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
+  const Mat3d turn_b = rotation_matrix(b_in_a.rotation);
+  const Vec3d normal = unit(rotate(conjugate(frame.rotation), choice.edge_chosen ? edge.normal : face.normal));
+  Vec3d points_b[3];
+  for (std::size_t i = 0; i < 3; ++i) points_b[i] = turn_b * placed_b.core.point[i] + b_in_a.translation;
+  const MeetingFaces faces{normal,
+                           face_along(placed_a.core.point, normal),
+                           face_along(points_b, -normal),
+                           choice.edge_chosen == choice.edge_best,
+                           std::abs(apart) <= axes.noise ? 0 : apart,
+                           separation > axes.noise,
+                           axes.noise};
+  contacts_of_faces(Shape<T>(a.shape, a.rounding()), a.pose, Shape<T>(b.shape, b.rounding()), b.pose, margin, faces, d,
+                    manifold);
+}
+
+/// The axes for the shapes in reverse order.
+TriangleAxes<double> mirrored_axes(TriangleAxes<double> axes) {
+  axes.face.normal = -axes.face.normal;
+  axes.edge.normal = -axes.edge.normal;
+  return axes;
+}
+
 }  // namespace
 
 template <class T>
@@ -64,27 +96,18 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
       return ContactSlot<T>{converted<T>(of.a), converted<T>(of.b), static_cast<T>(of.distance),
                             static_cast<T>(of.part_a), static_cast<T>(of.part_b)};
     };
-    take_points<T>(static_cast<unsigned>(points.filled), slot, triangle_features, triangle_features, manifold.points);
+    take_points<T>(static_cast<unsigned>(points.filled), slot, triangle_features, triangle_features, manifold.points,
+                   IsDeeperTilted());
     return d.distance;
   }
 
-  const TriangleAxis<double>&face = axes.face, &edge = axes.edge;
-  const AxisChoice<double> choice = choose_axis(face.separation, edge.separation, axes.noise, axes.smaller);
-  const double separation = choice.separation, apart = separation - placed_a.radius - placed_b.radius;
-  const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
-  const Mat3d turn_b = rotation_matrix(b_in_a.rotation);
-  const Vec3d normal = unit(rotate(conjugate(frame.rotation), choice.edge_chosen ? edge.normal : face.normal));
-  Vec3d points_b[3];
-  for (std::size_t i = 0; i < 3; ++i) points_b[i] = turn_b * placed_b.core.point[i] + b_in_a.translation;
-  const MeetingFaces faces{normal,
-                           face_along(placed_a.core.point, normal),
-                           face_along(points_b, -normal),
-                           choice.edge_chosen == choice.edge_best,
-                           std::abs(apart) <= axes.noise ? 0 : apart,
-                           separation > axes.noise,
-                           axes.noise};
-  contacts_of_faces(Shape<T>(a.shape, a.rounding()), a.pose, Shape<T>(b.shape, b.rounding()), b.pose, margin, faces, d,
-                    manifold);
+  const Shape<T> whole_a(a.shape, a.rounding()), whole_b(b.shape, b.rounding());
+  if (stands_second(whole_a, a.pose, whole_b, b.pose)) {
+    contacts_by_faces(b, a, margin, mirrored_axes(axes), mirrored(d), manifold);
+    mirror(manifold);
+  } else {
+    contacts_by_faces(a, b, margin, axes, d, manifold);
+  }
   return d.distance;
 }
 
