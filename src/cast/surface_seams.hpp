@@ -34,7 +34,8 @@ class SurfaceSeams {
       const Vec3d& begin = own[i];
       const Vec3d along = normalized(own[(i + 1) % 3] - begin, Vec3d{});
       sides_[i] = {begin, cross(along, normal_)};
-      if (across[i] == no_triangle) continue;
+      is_rim_[i] = across[i] == no_triangle;
+      if (is_rim_[i]) continue;
       // The corner beyond the edge is the one that lies furthest from its line.
       Vec3d beyond{}, far{};
       for (const Vec3d& corner : corners(data, across[i])) {
@@ -55,12 +56,14 @@ class SurfaceSeams {
     return false;
   }
   /// Whether it leads over the seam on which a point of the triangle lies, so that what is beyond is cut there. On a
-  /// rim it leads into the air, whatever lies beyond other sides.
+  /// rim it leads into the air, whatever lies beyond other sides: at a corner beyond the side that ends there too.
   bool crossed_by(const Vec3d& n, const Vec3d& point) const {
     std::array<double, 3> aside;
     for (std::size_t i = 0; i < 3; ++i) aside[i] = std::abs(dot(point - sides_[i].begin, sides_[i].outward));
     // A corner lies on two sides, but for rounding.
     const double nearest = least(least(aside[0], aside[1]), aside[2]) + over_edge * (aside[0] + aside[1] + aside[2]);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (is_rim_[i] && aside[i] <= nearest && dot(n, sides_[i].outward) > over_edge) return false;
     for (std::size_t i = 0; i < count_; ++i)
       if (leads_over(seams_[i], n) && aside[seams_[i].side] <= nearest && dot(n, seams_[i].far - point) > 0)
         return true;
@@ -88,6 +91,7 @@ class SurfaceSeams {
   }
 
   std::array<Side, 3> sides_{};
+  std::array<bool, 3> is_rim_{};  ///< sides beyond which there is nothing
   std::array<Seam, 3> seams_{};
   std::size_t count_ = 0;
   Vec3d normal_{};
