@@ -10,8 +10,10 @@
 #include <exception>
 
 #include "cli/command_line.hpp"
+#include "cli/output.hpp"
 #include "graze/mpi/sweep.hpp"
 #include "mpi/commands.hpp"
+#include "mpi/exchange.hpp"
 
 namespace {
 
@@ -56,8 +58,13 @@ int run(int argc, char** argv, int rank) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     agree_on_command_line(e.what());
-    // All ranks have the same command line: one of them reports the error in it.
-    if (rank == 0) app.exit(e);
+    // All ranks have the same command line: one of them reports the error in it, or prints the help.
+    graze::mpi::Together together(MPI_COMM_WORLD);
+    together.alone([&] {
+      if (rank == 0) app.exit(e);
+      flush_output();
+    });
+    together.meet();
     return e.get_exit_code() == 0 ? 0 : cannot_work;
   }
   agree_on_command_line("one that can be used");

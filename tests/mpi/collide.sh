@@ -73,6 +73,10 @@ case $case in
     expect 2 ranks 2 sh -c '[ "$OMPI_COMM_WORLD_RANK" = 0 ] && exec >/dev/full; exec "$0" "$@"' "$graze_mpi" collide town.gltf
     said "standard output cannot be written"
     expect 0 ranks 2 "$graze_mpi" collide --help; said "Example:"
+    for question in --help "collide --help" "query --help" --version; do
+      expect 2 ranks 2 sh -c 'exec "$0" "$@" >/dev/full' "$graze_mpi" $question
+      said "standard output cannot be written: No space left on device"
+    done
     ;;
   *) fail "no such case" ;;
 esac
