@@ -45,6 +45,19 @@ void Progress::operator()(std::size_t done, std::size_t all) {
   all_ = all;
 }
 
+void Progress::without(const std::function<void()>& print) {
+  const std::scoped_lock lock(mutex_);
+  wipe();
+  print();
+}
+
+void Progress::wipe() {
+  if (!shown_) return;
+  std::fputs(wiped, stderr);
+  std::fflush(stderr);
+  shown_ = false;
+}
+
 void Progress::show_until_stopped() {
   const auto begin = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
@@ -56,9 +69,9 @@ void Progress::show_until_stopped() {
     const std::string part = all > 1 && done <= all ? fmt::format("{} %, ", 100 * done / all) : "";
     std::fputs(fmt::format("{}{}: {}{} s", wiped, doing_, part, seconds.count()).c_str(), stderr);
     std::fflush(stderr);
+    shown_ = true;
   } while (!changed_.wait_for(lock, interval, stopped));
-  std::fputs(wiped, stderr);
-  std::fflush(stderr);
+  wipe();
 }
 
 }  // namespace graze::cli

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -23,14 +24,17 @@ class Progress {
   void now(std::string doing);
   /// Sets the part of the work that is done.
   void operator()(std::size_t done, std::size_t all);
+  /// Prints whole lines on the same terminal, with the line of progress wiped off before them.
+  void without(const std::function<void()>& print);
 
  private:
   void show_until_stopped();
+  void wipe();
 
   std::mutex mutex_;  ///< of what follows, but for the two counts
   std::condition_variable changed_;
   std::string doing_;
-  bool stopped_ = false;
+  bool stopped_ = false, shown_ = false;
   std::atomic<std::size_t> done_{0}, all_{0};
   std::thread shower_;
 };

@@ -2,7 +2,8 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <optional>
+#include <streambuf>
+#include <string>
 
 #include "checked.hpp"
 #include "commands.hpp"
@@ -16,12 +17,50 @@ namespace graze::cli {
 
 namespace {
 
+/// Answers on the terminal that shows the line of progress: passed on in whole lines, that line wiped off before them.
+class AnswersOnTerminal : public std::streambuf {
+ public:
+  AnswersOnTerminal(Progress& progress, std::ostream& out) : progress_(progress), out_(out) {}
+
+ private:
+  static constexpr std::size_t most_held = 1 << 14;
+
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    held_.append(bytes, static_cast<std::size_t>(count));
+    if (held_.size() > most_held && held_.back() == '\n') return pass_on() ? count : 0;
+    return count;
+  }
+  int_type overflow(int_type c) override {
+    const char byte = traits_type::to_char_type(c);
+    return traits_type::eq_int_type(c, traits_type::eof()) || xsputn(&byte, 1) == 1 ? traits_type::not_eof(c)
+                                                                                    : traits_type::eof();
+  }
+  int sync() override { return pass_on() ? 0 : -1; }
+
+  bool pass_on() {
+    if (!held_.empty()) progress_.without([this] { out_ << held_ << std::flush; });
+    held_.clear();
+    return static_cast<bool>(out_);
+  }
+
+  Progress& progress_;
+  std::ostream& out_;
+  std::string held_;
+};
+
+std::size_t answer_with_progress(std::istream& in, io::Precision precision) {
+  // Who types the questions is not to be interrupted, and waits for nothing.
+  if (&in == &std::cin && isatty(STDIN_FILENO) != 0) return io::answer_stream(in, std::cout, precision);
+  Progress progress("answering");
+  if (isatty(STDOUT_FILENO) == 0) return io::answer_stream(in, std::cout, precision);
+  AnswersOnTerminal lines(progress, std::cout);
+  std::ostream out(&lines);
+  return io::answer_stream(in, out, precision);
+}
+
 /// Answers all questions; returns the exit code.
 int answer_all(std::istream& in, const std::string& name, io::Precision precision) {
-  // Answers on the same terminal would be mixed up with the line of progress, and are progress enough.
-  std::optional<Progress> progress;
-  if (isatty(STDOUT_FILENO) == 0) progress.emplace("answering");
-  const std::size_t errors = io::answer_stream(in, std::cout, precision);
+  const std::size_t errors = answer_with_progress(in, precision);
   if (in.bad()) throw InvalidValue(name, "", "cannot be read to its end");
   return errors == 0 ? 0 : 1;
 }

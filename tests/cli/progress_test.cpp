@@ -51,6 +51,23 @@ TEST(Progress, IsShownOnATerminalAndWipedOff) {
   EXPECT_TRUE(seen.ends_with("\r\x1b[K")) << seen;
 }
 
+// Answers on the same terminal have lines of their own.
+TEST(Progress, MakesWayForAnswersOnTheSameTerminal) {
+  const Terminal terminal;
+  if (!terminal.there()) GTEST_SKIP() << "a system without terminals";
+  const std::string question =
+      R"('{"query": "distance", "a": {"shape": {"type": "box"}}, "b": {"shape": {"type": "box"}, )"
+      R"("translation": [3, 0, 0]}}')";
+  const Result r = run("query > " + terminal.name() + " 2> " + terminal.name(),
+                       "(echo " + question + "; sleep 2; echo " + question + ") | ");
+  EXPECT_EQ(r.code, 0) << r.output;
+  const std::string seen = terminal.seen();
+  EXPECT_EQ(seen.find("{\"distance\":2,"), 0u) << seen;
+  EXPECT_NE(seen.find("answering: 1 s"), std::string::npos) << seen;
+  EXPECT_NE(seen.find(" s\r\x1b[K{\"distance\":2,"), std::string::npos) << seen;
+  EXPECT_TRUE(seen.ends_with("}\r\n")) << seen;
+}
+
 TEST(Progress, IsNotShownOfWhatTakesNoTime) {
   const Terminal terminal;
   if (!terminal.there()) GTEST_SKIP() << "a system without terminals";
