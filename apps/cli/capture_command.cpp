@@ -1,9 +1,13 @@
 // graze capture: a scene played, and every call of its simulation recorded.
 #include <fmt/format.h>
 
-#include <fstream>
+#include <cstddef>
 #include <memory>
-#include <sstream>
+#include <optional>
+#include <ostream>
+#include <streambuf>
+#include <string>
+#include <string_view>
 
 #include "checked.hpp"
 #include "commands.hpp"
@@ -27,34 +31,52 @@ struct CaptureArguments {
 };
 
 /// The file of a capture. What comes before the first frame is held back, so that a scene that cannot be played leaves
-/// the file as it was.
-class CaptureFile {
+/// the file as it was. Its stream and its functions throw `InvalidValue` when it takes no more, with the reason.
+class CaptureFile : private std::streambuf {
  public:
-  /// Throws `InvalidValue` for a file that cannot be written.
-  explicit CaptureFile(const std::string& name) : name_(name) { io::check_writable(name); }
+  explicit CaptureFile(const std::string& name) : name_(name) {
+    io::check_writable(name);
+    stream_.exceptions(std::ios::badbit);
+  }
 
   std::ostream& stream() { return stream_; }
   /// Opens the file, once, with what was held back.
   void open() {
-    if (file_.is_open()) return;
-    file_.open(name_, std::ios::binary);
-    file_ << held_.str();
-    stream_.rdbuf(file_.rdbuf());
-    check();
+    if (file_) return;
+    file_.emplace(name_);
+    file_->write(held_);
+    file_->flush();
   }
+  std::size_t bytes() const { return bytes_; }  ///< written so far
   void close() {
-    file_.close();
-    check();
-  }
-  void check() const {
-    if (!file_ || !stream_) throw InvalidValue(name_, "", "cannot be written to its end");
+    open();
+    file_->close();
   }
 
  private:
-  std::string name_;
-  std::ofstream file_;
-  std::stringbuf held_;
-  std::ostream stream_{&held_};
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    const std::string_view some(bytes, static_cast<std::size_t>(count));
+    bytes_ += some.size();
+    if (file_)
+      file_->write(some);
+    else
+      held_ += some;
+    return count;
+  }
+  int_type overflow(int_type c) override {
+    const char byte = traits_type::to_char_type(c);
+    if (!traits_type::eq_int_type(c, traits_type::eof())) xsputn(&byte, 1);
+    return traits_type::not_eof(c);
+  }
+  int sync() override {
+    if (file_) file_->flush();
+    return 0;
+  }
+
+  std::string name_, held_;
+  std::size_t bytes_ = 0;
+  std::optional<io::FileWriter> file_;
+  std::ostream stream_{this};
 };
 
 /// Plays a scene, of space or of the plane, into the file.
@@ -65,24 +87,15 @@ void capture(const AnyScene& scene, const CaptureArguments& options, io::Simulat
   how.capture = &file.stream();
   Progress progress("capturing");
   std::size_t done = 0;
-  const auto play = [&] {
-    try {
-      return io::simulate(scene, how, [&](const Frame&) {
-        file.open();
-        progress(++done, frames);
-      });
-    } catch (const InvalidValue&) {
-      file.check();
-      throw;
-    }
-  };
-  const io::SimulateSummary summary = play();
+  const io::SimulateSummary summary = io::simulate(scene, how, [&](const Frame&) {
+    file.open();
+    progress(++done, frames);
+  });
   file.close();
   print_notes(scene.notices);
   print_notes(summary.notices);
   fmt::print("{}: {} of {} and {}, {} bytes\n", options.out, counted(summary.steps, "frame"),
-             counted(summary.bodies, "moving body"), counted(summary.joints, "joint"),
-             std::filesystem::file_size(options.out));
+             counted(summary.bodies, "moving body"), counted(summary.joints, "joint"), file.bytes());
 }
 
 void run_with(const CaptureArguments& options) {
@@ -108,6 +121,7 @@ int run_capture(const CaptureArguments& options) {
                                                                               {"sub_steps", "--substeps"},
                                                                               {"most_sub_steps", "--substeps"}};
   check_output("--out", options.out, options.scene.files);
+  check_ending("--out", options.out, ".capture");
   try {
     run_with(options);
   } catch (const InvalidValue& e) {
@@ -122,7 +136,7 @@ Run add_capture(CLI::App& app) {
   auto options = std::make_shared<CaptureArguments>();
   CLI::App* command = app.add_subcommand("capture", "Play a scene and write down all that its simulation is told");
   options->scene.add_to(*command);
-  command->add_option("--out", options->out, "The capture to write")->required();
+  command->add_option("--out", options->out, "The capture to write (.capture)")->required();
   command->add_option("--seconds", options->seconds, "How long to play")->capture_default_str();
   command->add_option("--rate", options->rate, "Steps, and frames, a second")->capture_default_str();
   command->add_option("--substeps", options->sub_steps, "Sub-steps of a step, a power of two")->capture_default_str();

@@ -29,7 +29,9 @@ std::string unknown_command(CLI::App& app, int argc, char** argv) {
   std::string names;
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->check_name(*word)) return {};
-    names += (names.empty() ? "" : ", ") + command->get_name();
+    std::vector<std::string> own = command->get_aliases();
+    own.insert(own.begin(), command->get_name());
+    for (const std::string& name : own) names += (names.empty() ? "" : ", ") + name;
   }
   return *word + (": no such command; there are " + names + " (" + app.get_name() + " --help)");
 }

@@ -77,6 +77,8 @@ int run_replay(const ReplayArguments& options) {
   std::optional<Progress> progress("replaying");
   const ReplayReport report = replay(file, options.file, {}, &executor);
   progress.reset();
+  if (report.frames == 0 && !report.difference)
+    throw InvalidValue(options.file, "a capture of one frame at least", "none that is whole");
   options.json ? print_as_json(report) : print_as_text(options.file, report);
   return report.difference ? 1 : 0;
 }
@@ -90,8 +92,8 @@ Run add_replay(CLI::App& app) {
   command->add_option("--threads", options->threads, "Threads; the result is the same")->capture_default_str();
   command->add_flag("--json", options->json, "Print the report as JSON");
   command->footer(
-      "Exit code: 0 when all frames came out the same, 1 when one did not, 2 when the file is no capture or\n"
-      "damaged.\n\n"
+      "Exit code: 0 when all frames came out the same, 1 when one did not, 2 when the file is no capture, is\n"
+      "damaged or has no whole frame.\n\n"
       "Example:\n  graze replay scene.capture");
   return [options] { return run_replay(*options); };
 }

@@ -155,7 +155,10 @@ int run_view(const ViewArguments&) {
 Run add_view(CLI::App& app) {
   auto options = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", "Show a file in the lab's viewer, in a browser");
-  command->add_option("FILE", options->file, "A scene or mesh: glTF, OBJ, STL or PLY; or a question as JSON")
+  command
+      ->add_option("FILE", options->file,
+                   "A scene or mesh: glTF, OBJ, STL or PLY; a scene of the plane: .svg or .json; a question as JSON; a "
+                   "capture")
       ->required();
   command->add_option("--port", options->port, "The port to serve at (default: a free one)")
       ->check(CLI::Range(1, 65535));

@@ -71,6 +71,11 @@ FileWriter::FileWriter(const std::filesystem::path& file) : file_(file) { open(o
 
 void FileWriter::write(std::string_view bytes) { append(out_, bytes, file_); }
 
+void FileWriter::flush() {
+  errno = 0;
+  if (!out_.flush()) cannot_write(file_, errno);
+}
+
 void FileWriter::close() { close_whole(out_, file_); }
 
 WholeFileWriter::WholeFileWriter(const std::filesystem::path& file)

@@ -39,6 +39,16 @@ TEST(CaptureProgram, AScenePlayedRunsAgainToTheSameBits) {
   EXPECT_EQ(cut.code, 0);
   EXPECT_NE(cut.output.find("29 frames"), std::string::npos) << cut.output;
   EXPECT_NE(cut.output.find("ends within a frame"), std::string::npos) << cut.output;
+  // Cut within its first: nothing is left that could be compared.
+  const std::string head = (folder / "head.capture").string();
+  std::filesystem::copy_file(file, head, std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::resize_file(head, 300);
+  for (const char* how : {"replay ", "replay --json "}) {
+    const auto nothing = run(how + head);
+    EXPECT_EQ(nothing.code, 2);
+    EXPECT_EQ(nothing.output,
+              "graze: " + head + ": expected a capture of one frame at least, got none that is whole\n");
+  }
   {
     std::fstream damaged(file, std::ios::in | std::ios::out | std::ios::binary);
     damaged.seekp(400);

@@ -13,6 +13,7 @@ namespace {
 
 const std::string example = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.gltf";
 const std::string plane_example = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg";
+const std::string capture = std::string(GRAZE_SOURCE_DIR) + "/fuzz/corpus/capture/whole-file";
 const std::string questions = std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes.jsonl";
 
 /// A folder of the test's own, removed at its end.
@@ -42,13 +43,14 @@ TEST_P(FullDisk, IsNoSuccess) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cli, FullDisk,
-                         testing::Values("query " + questions, "query - < " + questions, "explain " + questions,
-                                         "explain --json " + questions, "info " + example, "info --json " + example,
-                                         "collide " + example, "collide --json " + example,
+                         testing::Values("query " + questions, "response " + questions, "query - < " + questions,
+                                         "explain " + questions, "explain --json " + questions, "info " + example,
+                                         "info --json " + example, "collide " + example, "collide --json " + example,
                                          "collide " + std::string(GRAZE_SOURCE_DIR) +
                                              "/examples/scenes/moving.gltf --frames",
                                          "cast " + example + " --from 'crate 1' --motion 8,0,0 --slide",
-                                         "simulate " + example + " --seconds 0.1",
+                                         "capture " + example + " --seconds 0.1 --out /dev/null", "replay " + capture,
+                                         "replay --json " + capture, "simulate " + example + " --seconds 0.1",
                                          "simulate " + example + " --seconds 0.1 --report json", "--help",
                                          "collide --help", "--version", ""));
 
@@ -64,6 +66,9 @@ TEST(Messages, AFullDiskUnderAFileIsNamed) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "a system without /dev/full";
   const Folder folder("full_disk_test");
   for (const char* name : {"full.svg", "full.glb"}) std::filesystem::create_symlink("/dev/full", folder / name);
+  const Result captured = run("capture " + example + " --seconds 0.1 --out /dev/full");
+  EXPECT_EQ(captured.code, 2);
+  EXPECT_EQ(captured.output, "graze: /dev/full: cannot be written: no space left on device\n");
   const std::string cast = "cast " + example + " --from 'crate 1' --motion 8,0,0 --slide";
   for (const std::string& arguments :
        {"collide " + example + " --svg " + (folder / "full.svg"),
@@ -101,11 +106,31 @@ TEST(Messages, AFileThatIsNotThere) {
             "graze: /nonexistent/a.svg: cannot be written: no such folder\n");
 }
 
+TEST(Messages, AFileOfNoSceneIsToldEveryEnding) {
+  const Folder folder("endings_test");
+  const std::string text = folder / "x.txt";
+  std::ofstream(text) << "text";
+  for (const char* command : {"info", "collide", "simulate", "capture --out /dev/null", "cast --from x"}) {
+    const Result r = run(std::string(command) + " " + text);
+    EXPECT_EQ(r.code, 2) << command;
+    EXPECT_EQ(r.output, "graze: " + text +
+                            ": expected a file that ends in .gltf, .glb, .obj, .stl or .ply, or of the plane in .svg "
+                            "or .json, got \".txt\"\n")
+        << command;
+  }
+}
+
+TEST(Messages, HelpOfViewNamesAllThatItShows) {
+  const std::string help = run("view --help").output;
+  for (const char* file : {"glTF", ".svg", ".json", "question", "capture"})
+    EXPECT_NE(help.find(file), std::string::npos) << file << " in " << help;
+}
+
 TEST(Messages, AnUnknownCommandIsNamedAndTheKnownOnesListed) {
   const Result r = run("colide " + example);
   EXPECT_EQ(r.code, 2);
   EXPECT_EQ(r.output, "graze: colide: no such command; there are capture, cast, collide, explain, info, "
-                      "query, replay, simulate, view (graze --help)\n");
+                      "query, response, replay, simulate, view (graze --help)\n");
 }
 
 TEST(Messages, AloneItHelps) {
@@ -174,6 +199,8 @@ TEST(Messages, PicturesHaveTheirEnding) {
             "graze: --out: expected a file name that ends in .glb, got x.gltf\n");
   EXPECT_EQ(refusal("cast " + example + " --from floor --out x"),
             "graze: --out: expected a file name that ends in .glb, got x\n");
+  EXPECT_EQ(refusal("capture " + example + " --seconds 0.1 --out x.png"),
+            "graze: --out: expected a file name that ends in .capture, got x.png\n");
   EXPECT_FALSE(std::filesystem::exists("x.png"));
   // A pipe is no file that somebody opens by its name.
   EXPECT_TRUE(run("explain " + questions + " --svg /dev/stdout").output.starts_with("<svg"));

@@ -150,15 +150,16 @@ TEST_F(Simulate, ARefusedRunLeavesItsFiles) {
   for (const std::string& arguments :
        {"simulate " + demo + " --substeps 3", "simulate " + plane + " --substeps 3", "simulate " + leaf,
         "simulate " + line, "capture " + demo + " --substeps 3", "capture " + leaf, "capture " + line}) {
-    const std::string kept = file("kept.jsonl"), none = file("none.jsonl");
+    const std::string ending = arguments.starts_with("capture") ? ".capture" : ".jsonl";
+    const std::string kept = file(("kept" + ending).c_str()), none = file(("none" + ending).c_str());
     std::ofstream(kept) << "old";
     EXPECT_EQ(run(arguments + " --out " + kept).code, 2) << arguments;
     EXPECT_EQ(text_of(kept), "old") << arguments;
     EXPECT_EQ(run(arguments + " --out " + none).code, 2) << arguments;
     EXPECT_FALSE(std::filesystem::exists(none)) << arguments;
   }
-  for (const char* command : {"simulate ", "capture "}) {
-    const Result r = run(command + demo + " --out " + file("none/a.jsonl"));
+  for (const auto& [command, name] : {std::pair{"simulate ", "none/a.jsonl"}, {"capture ", "none/a.capture"}}) {
+    const Result r = run(command + demo + " --out " + file(name));
     EXPECT_NE(r.output.find("cannot be written: no such folder"), std::string::npos) << r.output;
   }
 }

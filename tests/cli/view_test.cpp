@@ -249,6 +249,14 @@ TEST(View, TellsWhenTheFileChangesAndWhenItIsGone) {
   EXPECT_EQ(status_of(viewing.get("/")), 200);
 }
 
+TEST(View, AFullDiskIsNoSuccess) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "a system without /dev/full";
+  const ViewFolder folder;
+  const auto r = run("view '" + folder.scene.string() + "' --no-open --lab " + folder.lab.string() + " > /dev/full");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_EQ(r.output, "graze: standard output cannot be written: No space left on device\n");
+}
+
 TEST(View, SaysWhatIsWrong) {
   const ViewFolder folder;
   const auto says = [&](const std::string& arguments, const std::string& what) {

@@ -23,6 +23,7 @@ class GRAZE_API FileWriter {
   /// Creates the file, or empties it. Throws `InvalidValue`, as all functions of the class do.
   explicit FileWriter(const std::filesystem::path& file);
   void write(std::string_view bytes);  ///< appends
+  void flush();                        ///< writes out buffered bytes, for who reads meanwhile
   /// Writes out buffered bytes, which may fail for lack of room: without this call nothing is known to be written.
   void close();
 
