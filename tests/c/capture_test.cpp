@@ -80,7 +80,7 @@ TEST(CReplay, AWorldLeadsToItsSimulationWhichIsNotChanged) {
   const std::string file = captured_fall();
   SeenSimulation seen;
   GrazeReplayReport report;
-  ASSERT_EQ(graze_replay_d(file.data(), file.size(), &ask, &seen, &report), GRAZE_OK);
+  ASSERT_EQ(graze_replay_d(file.data(), file.size(), &ask, &seen, &report, nullptr), GRAZE_OK);
   EXPECT_FALSE(report.differs);
   EXPECT_TRUE(seen.there && !seen.asleep);
   EXPECT_GT(seen.energy, 0);
