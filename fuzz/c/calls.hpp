@@ -76,7 +76,8 @@ struct Calls {
     if (!captured) return;
     for (const std::string& file : files) {
       GrazeReplayReport report;
-      require(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report, nullptr) == GRAZE_OK && !report.differs);
+      require(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report, nullptr) == GRAZE_OK &&
+              !report.differs);
     }
   }
   Calls(const Calls&) = delete;

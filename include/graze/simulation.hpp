@@ -139,12 +139,12 @@ class GRAZE_API Simulation {
   /// body, and for a velocity that is not finite.
   void move_to(BodyId id, const Pose& pose, T dt);
   void set_material(BodyId id, const Material& material);  ///< replaces the material, of all pieces, from now on
-  /// Gives the pieces of a body's shape materials of their own from now on: `of_piece[i]` is the place among `materials`
-  /// of that of piece i, counted as `ContactManifold::piece_a` does: children of a compound, triangles of a mesh or a
-  /// height field (two for each cell, holes included), in the plane children of a compound and segments of a chain. A
-  /// point of contact has the material of the piece whose surface is nearest to it. Throws `InvalidValue` for another
-  /// shape, for lists of other lengths, and for invalid materials. Costs a search of the shape's pieces in each step for
-  /// each of its points of contact.
+  /// Gives the pieces of a body's shape materials of their own from now on: `of_piece[i]` is the place among
+  /// `materials` of that of piece i, counted as `ContactManifold::piece_a` does: children of a compound, triangles of a
+  /// mesh or a height field (two for each cell, holes included), in the plane children of a compound and segments of a
+  /// chain. A point of contact has the material of the piece whose surface is nearest to it. Throws `InvalidValue` for
+  /// another shape, for lists of other lengths, and for invalid materials. Costs a search of the shape's pieces in each
+  /// step for each of its points of contact.
   void set_materials(BodyId id, std::span<const Material> materials, std::span<const std::uint32_t> of_piece);
   void wake(BodyId id);  ///< wakes the body and what touches it
 

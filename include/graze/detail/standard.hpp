@@ -1,9 +1,10 @@
 // Check of the C++ standard that Graze needs: one line of error before an older one fails in a thousand.
 //
-// Guarantee: every public header includes this one, directly or through another, but for visibility.hpp beside it, which
-// this one needs. The compiled library and the code that uses it have to agree on the standard library's containers,
-// which cross the boundary between them: code compiled with -D_GLIBCXX_DEBUG needs a Graze that was compiled with it
-// too, and is not linked with another. The C interface (graze/graze.h) takes no containers and may be used with either.
+// Guarantee: every public header includes this one, directly or through another, but for visibility.hpp beside it,
+// which this one needs. The compiled library and the code that uses it have to agree on the standard library's
+// containers, which cross the boundary between them: code compiled with -D_GLIBCXX_DEBUG needs a Graze that was
+// compiled with it too, and is not linked with another. The C interface (graze/graze.h) takes no containers and may be
+// used with either.
 #pragma once
 
 #include "graze/detail/visibility.hpp"

@@ -39,8 +39,8 @@ std::optional<Placed<T>> neighbour_outside_region(const LeafInContext<T>& self, 
                                                   const Vec3<T>& outward, Among among = Among::others);
 
 /// Whether a triangle that shares an edge with one of a mesh or height field rises above the plane through a point on
-/// this: then `neighbour_outside_region` finds one, too. In the surface's frame; `noise`: what the point may be off by for where
-/// the surface is. Nothing is searched, and false says nothing.
+/// this: then `neighbour_outside_region` finds one, too. In the surface's frame; `noise`: what the point may be off by
+/// for where the surface is. Nothing is searched, and false says nothing.
 template <class T>
 bool rises_across_edge(const Shape<T>& surface, std::uint32_t triangle, const Vec3<T>& point, const Vec3<T>& outward,
                        T noise);

@@ -197,8 +197,9 @@ GRAZE_DECLARE_KERNEL(
     /// all without rounding.
     template <class A, class T> void half_space_slots(const PairRef<T>* pairs, std::size_t count,
                                                       HalfSpaceBlock<T>& points);
-    /// The distances of pairs with `closed_form_rows`, in rows. `turned`: A is the caller's second shape. `bundled(count)` rows are read. Returns
-    /// the number of pairs without an answer, whose indices are written to `unknown`.
+    /// The distances of pairs with `closed_form_rows`, in rows. `turned`: A is the caller's second shape.
+    /// `bundled(count)` rows are read. Returns the number of pairs without an answer, whose indices are written to
+    /// `unknown`.
     template <class A, class B, class T> std::uint32_t row_distances(const PairRows<T>& rows, std::size_t count,
                                                                      bool turned, Distance<T>* distances,
                                                                      std::uint8_t* unknown);
