@@ -30,9 +30,8 @@ struct BodyId {
 /// `expected` what it should name, as "a body of the world".
 template <class Id>
 [[noreturn]] void refuse_missing(const std::string& path, const char* expected, const Id& id) {
-  throw InvalidValue(path, expected,
-                     std::to_string(id.index) + " of generation " + std::to_string(id.generation) +
-                         ", which is not there");
+  validate::fail(path, expected,
+                 std::to_string(id.index) + " of generation " + std::to_string(id.generation) + ", which is not there");
 }
 
 /// Description of a body to be added.
