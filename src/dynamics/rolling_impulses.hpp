@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "graze/world/manifolds.hpp"
@@ -32,14 +33,14 @@ class RollingImpulses {
     of_manifolds_.clear();
     if (!resisted) return kept_.clear();
     of_manifolds_.resize(parts.surface_count());
-    auto first = kept_.begin();
+    std::size_t first = 0;
     for (const ContactPair<T>& pair : parts.world.contacts().pairs) {
-      if (first == kept_.end()) break;
+      if (first == kept_.size()) break;
       const IdPair ids{pair.a, pair.b};
-      while (first != kept_.end() && first->pair < ids) ++first;
-      auto end = first;
-      while (end != kept_.end() && end->pair == ids) ++end;
-      if (first != end) carry_over(parts, pair, {first, end});
+      while (first != kept_.size() && kept_[first].pair < ids) ++first;
+      std::size_t end = first;
+      while (end != kept_.size() && kept_[end].pair == ids) ++end;
+      if (first != end) carry_over(parts, pair, {kept_.data() + first, end - first});
       first = end;
     }
   }
