@@ -931,9 +931,9 @@ export const checks = [
       world.moveBatch([crate, ghost], [0, 0.5, 0, 0, 0, 0, 1, 4, 0, 0, 0, 0, 0, 1]);
       equal(world.pose(ghost).translation, [4, 0, 0], "moved");
       world.moveBatch([ghost], [4, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0]);
-      throws(() => world.moveBatch([ghost], [4, 0, 0, 0, 0, 0, 1], []), "velocities: expected 1 of them, got 0", InvalidValue);
+      throws(() => world.moveBatch([ghost], [4, 0, 0, 0, 0, 0, 1], []), "velocities: expected 1 of them, got 0", entry.InvalidValue);
       throws(() => world.moveBatch([ghost], [9, 9, 9, 0, 0, 0, 1], [Infinity, 0, 0, 0, 0, 0]),
-        "velocities[0].linear[0]: expected a finite number, got inf", InvalidValue);
+        "velocities[0].linear[0]: expected a finite number, got inf", entry.InvalidValue);
       equal(world.pose(ghost).translation, [4, 0, 0], "not moved");
       const ray = { origin: [0, 9, 0], direction: [0, -1, 0] };
       equal(world.raycast(ray).body, crate, "ray");
