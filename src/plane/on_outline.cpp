@@ -222,9 +222,10 @@ std::optional<OnOutline> nearest_on_outlines(const Core<T>& a, const Core<T>& b,
 }
 
 template <class T>
-Nearest way_out(const Core<T>& piece, const Vec2d& inside) {
+Nearest nearest_on_outline(const Core<T>& piece, const Vec2d& from, bool inside) {
   double squared = std::numeric_limits<double>::infinity();
-  Nearest out;
+  Nearest found;
+  const double side = inside ? -1 : 1;
   for (std::uint32_t k = 0; k < piece.pieces->size(); ++k) {
     const std::span<const Vec2<T>> vertices = piece.pieces->vertices(k);
     const OutlineVertex* outline = piece.pieces->outline(k);
@@ -232,18 +233,18 @@ Nearest way_out(const Core<T>& piece, const Vec2d& inside) {
       if (!outline[i].outer) continue;
       const Vec2d start = plane::converted<double>(vertices[i]),
                   edge = plane::converted<double>(vertices[i + 1 == vertices.size() ? 0 : i + 1]) - start;
-      const double t = clamp(dot(inside - start, edge) / length_squared(edge), 0.0, 1.0);
-      const Vec2d point = start + edge * t, way = point - inside;
+      const double t = clamp(dot(from - start, edge) / length_squared(edge), 0.0, 1.0);
+      const Vec2d point = start + edge * t, way = point - from;
       if (!(length_squared(way) < squared)) continue;
       squared = length_squared(way);
       const Vec2d outward = right(outline[i].leaving);
       const bool inner = t > 0 && t < 1;
-      out.normal = inner ? outward : normalized(way, outward);
-      out.distance = inner ? -greatest(dot(way, outward), 0.0) : -length(way);
-      out.a = {point, side_feature(outline[i].number)};
+      found.normal = inner ? outward : normalized(way * -side, outward);
+      found.distance = side * (inner ? greatest(-side * dot(way, outward), 0.0) : length(way));
+      found.a = {point, side_feature(outline[i].number)};
     }
   }
-  return out;
+  return found;
 }
 
 #define GRAZE_PLANE_OUTLINES(T)                                                                                        \
@@ -253,7 +254,7 @@ Nearest way_out(const Core<T>& piece, const Vec2d& inside) {
   template std::optional<OnOutline> least_overlap_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&);          \
   template std::optional<OnOutline> nearest_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, \
                                                         double);                                                       \
-  template Nearest way_out(const Core<T>&, const Vec2d&);
+  template Nearest nearest_on_outline(const Core<T>&, const Vec2d&, bool);
 GRAZE_PLANE_OUTLINES(float)
 GRAZE_PLANE_OUTLINES(double)
 #undef GRAZE_PLANE_OUTLINES

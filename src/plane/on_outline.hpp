@@ -47,9 +47,9 @@ template <class T>
 std::optional<OnOutline> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
                                              const Nearest& found, double size);
 
-/// The nearest point to `inside`, which lies in a polygon, on the outline of that polygon, of which `piece` is one
-/// piece. All in its frame; the normal leads out. Cost: linear in the vertices.
+/// The point of a polygon's outline that is nearest to a point inside the polygon or, as far as rounding tells, on its
+/// outer side; `piece` is one piece of the polygon. All in its frame; the normal leads out. Cost: linear in the vertices.
 template <class T>
-Nearest way_out(const Core<T>& piece, const Vec2d& inside);
+Nearest nearest_on_outline(const Core<T>& piece, const Vec2d& from, bool inside);
 
 }  // namespace graze::plane

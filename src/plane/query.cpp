@@ -121,18 +121,23 @@ template <class T>
 Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point) {
   Distance<double> best;
   best.distance = std::numeric_limits<double>::infinity();
+  const auto take_deeper = [&](const Distance<double>& d) {
+    if (d.distance < best.distance) best = d;
+  };
   for_each_pair(shape, pose, Shape<T>(Circle<T>(T(0))), {point, {}}, [&](const LeafPair<T>& pair) {
     const Vec2d own = inverse_transform(pair.pose_a, pair.pose_b.translation);
-    Distance<double> d;
-    if (pair.a.outline && !pair.a.chain && nearest(pair.a, pair.b, Pose2d{own, {}}, pair.size()).distance <= 0) {
-      const Nearest out = way_out(pair.a, own);
+    Distance<double> d = pair_distance(pair);
+    if (pair.a.outline && !pair.a.chain) {
+      // Beside a corner in which pieces meet a point may lie outside of each by rounding, and a piece have no way out
+      // but one at its far side.
+      const double gap = nearest(pair.a, pair.b, Pose2d{own, {}}, pair.size()).distance;
+      if (!(gap <= 0 || d.distance < gap - pair.a.radius)) return take_deeper(d);
+      const Nearest out = nearest_on_outline(pair.a, own, gap <= 0);
       d.distance = out.distance - pair.a.radius;
       d.normal = rotate(pair.pose_a.rotation, out.normal);
       d.a = transform(pair.pose_a, out.a.point + out.normal * pair.a.radius);
-    } else {
-      d = pair_distance(pair);
     }
-    if (d.distance < best.distance) best = d;
+    take_deeper(d);
   });
   return best;
 }

@@ -311,6 +311,39 @@ TYPED_TEST(PlaneChains, HillsAndValleysGiveNormalsOfTheirOwn) {
     }
 }
 
+// A point at the outline lies, by rounding, in one of the pieces that meet there, in several, or in none: it is no deeper
+// for that.
+TYPED_TEST(PlaneChains, APointAtTheOutlineOfASolidPolygonHasNoDepth) {
+  using T = TypeParam;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::vector<Points> outlines = {{{4, -11}, {3, 0}, {0, 0}, {14, 99}, {-3, 3}}};
+  for (int i = 0; i < rounds(20); ++i) outlines.push_back(random_star(9, random));
+  for (const Points& outline : outlines) {
+    std::vector<Vec2<T>> points;
+    double size = 0;
+    for (const Vec2d& p : outline) points.push_back(plane::converted<T>(p)), size = std::max(size, length(p));
+    const Pose2<T> pose{{T(5), T(7)}, Rot2<T>::from_angle(T(0.9))};
+    const double off = 16 * double(std::numeric_limits<T>::epsilon()) * (size + 9);
+    for (const T rounding : {T(0), T(0.25)})
+      for (std::size_t i = 0; i < points.size(); ++i)
+        for (int k = 0; k < 40; ++k) {
+          const Vec2d a = plane::converted<double>(points[i]),
+                      b = plane::converted<double>(points[(i + 1) % points.size()]);
+          const Vec2d at = a + (b - a) * (k % 2 ? 0 : (1 + u(random)) / 2) + Vec2d{u(random), u(random)} * (off / 16);
+          const Vec2<T> point = transform(pose, plane::converted<T>(at));
+          const Closest<T> found = closest(Shape<T>(Polygon<T>(points), rounding), pose, point);
+          // A rounding ends further out, except that a reflex corner is filled: there it is deeper than by its radius.
+          EXPECT_LE(double(found.distance), off - double(rounding)) << outline.size() << ' ' << i << ' ' << k;
+          if (rounding == T(0)) {
+            EXPECT_GE(double(found.distance), -off) << outline.size() << ' ' << i << ' ' << k;
+            EXPECT_LE(double(length(found.point - point)), off);
+          }
+          EXPECT_LE(double(length((point - found.point) - found.normal * found.distance)), off);
+        }
+  }
+}
+
 // The normal of a curved shape is searched for and not exact, and the search names an edge by its nearer end, which may
 // be a reflex vertex: no contact is lost for that, and the deepest is as far as the shapes are.
 TYPED_TEST(PlaneChains, CurvedShapesKeepTheirContacts) {
