@@ -84,7 +84,6 @@ std::vector<io::TouchingPair> touching_pairs(const AnyScene& scene, io::CollideO
 
 /// Whether the scene is one of the plane, which is one file.
 bool is_in_plane(const CollideArguments& options) {
-  options.scene.check_endings();
   std::size_t count = 0;
   for (const std::string& file : options.scene.files) count += io::is_plane_scene(file);
   if (count == 0) return false;

@@ -1,10 +1,6 @@
 #include "scene_options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <filesystem>
-#include <string_view>
 
 #include "graze/error.hpp"
 #include "graze/io/plane_scene.hpp"
@@ -12,25 +8,6 @@
 #include "progress.hpp"
 
 namespace graze::cli {
-
-namespace {
-
-/// Throws `InvalidValue` for a file whose ending is of no scene, neither of space nor of the plane. What is no file at
-/// all is left to who opens it.
-void check_scene_ending(const std::string& file) {
-  static constexpr std::array<std::string_view, 5> of_space{".gltf", ".glb", ".obj", ".stl", ".ply"};
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  std::error_code failed;
-  if (io::is_plane_scene(file) || std::find(of_space.begin(), of_space.end(), ending) != of_space.end() ||
-      !std::filesystem::is_regular_file(file, failed))
-    return;
-  throw InvalidValue(file, "a file that ends in .gltf, .glb, .obj, .stl or .ply, or of the plane in .svg or .json",
-                     "\"" + ending + "\"");
-}
-
-}  // namespace
 
 void SceneOptions::add_to(CLI::App& command, bool or_plane) {
   command
@@ -64,12 +41,7 @@ io::Scene SceneOptions::load(bool animations, bool physics_only) const {
   return scene;
 }
 
-void SceneOptions::check_endings() const {
-  for (const std::string& file : files) check_scene_ending(file);
-}
-
 bool SceneOptions::is_in_plane() const {
-  check_endings();
   if (std::none_of(files.begin(), files.end(), [](const std::string& file) { return io::is_plane_scene(file); }))
     return false;
   if (files.size() > 1) throw InvalidValue("SCENE", "one .svg or .json alone", counted(files.size(), "file"));

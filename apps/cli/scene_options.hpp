@@ -20,8 +20,6 @@ struct SceneOptions {
   /// Loads all files in one scene, each at the origin, with their animations if `animations`. With `physics_only` the
   /// meshes of files that have motions, and no colliders, do not collide. Throws `InvalidValue`.
   io::Scene load(bool animations = false, bool physics_only = false) const;
-  /// Throws `InvalidValue` for a file whose ending is that of no scene, of space or of the plane.
-  void check_endings() const;
   /// Whether it is a scene of the plane, which is one file alone. Throws `InvalidValue` for one among others.
   bool is_in_plane() const;
   /// The file that can be drawn into; empty when there are several.

@@ -1,5 +1,5 @@
-// The C interface of Graze, for programs in C99 and for all languages that can call C: the library but for what the page
-// docs/c.md names at its end, which C++ alone has.
+// The C interface of Graze, for programs in C99 and for all languages that can call C: the library but for what the
+// page docs/c.md names at its end, which C++ alone has.
 //
 // Guarantee: answers are those of the C++ interface, bit for bit, and so are their guarantees, which are in the C++
 // headers named below. No exception leaves a function. A function that can fail returns a GrazeStatus and, where that
@@ -1389,8 +1389,8 @@ GRAZE_C_API GrazeStatus graze_simulation_settings_d(const GrazeSimulationd *simu
                                                     GrazeSimulationSettingsd *settings);
 // The world of the simulation, which belongs to it: contacts, events and all queries.
 GRAZE_C_API GrazeStatus graze_simulation_world_d(const GrazeSimulationd *simulation, const GrazeWorldd **world);
-// The simulation whose world it is, for questions alone: also in a replay, which refuses changes to it. Null for a world
-// of its own.
+// The simulation whose world it is, for questions alone: also in a replay, which refuses changes to it. Null for a
+// world of its own.
 GRAZE_C_API GrazeStatus graze_world_simulation_d(const GrazeWorldd *world, const GrazeSimulationd **simulation);
 
 // A hash of all bits that the next step depends on. Equal runs have equal hashes, also after a restore.
@@ -2170,8 +2170,8 @@ GRAZE_C_API GrazeStatus graze_plane_world_draw_area_d(const GrazePlaneWorldd *wo
 
 // Captures (graze/capture.hpp) ----------------------------------------------------------------------------------------
 
-// Receiver of a replayed frame: the world, of space or of the plane, valid until the function returns; the other pointer
-// is null. The world of a simulation leads to it by graze_world_simulation_d.
+// Receiver of a replayed frame: the world, of space or of the plane, valid until the function returns; the other
+// pointer is null. The world of a simulation leads to it by graze_world_simulation_d.
 typedef void (*GrazeReplayFunctiond)(void *user, size_t frame, const GrazeWorldd *world,
                                      const GrazePlaneWorldd *plane_world);
 // Plays a capture in this scalar again, to its end or to the first difference. `each` may be null. Any bytes may be

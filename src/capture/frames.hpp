@@ -57,7 +57,7 @@ enum class Call : std::uint8_t {
   find_impacts,  ///< ends a frame
   // Calls of either.
   set_name,  ///< since version 3
-  // Of a simulation again.
+  // Calls of simulations, in later versions.
   set_materials  ///< since version 4
 };
 /// The number of different calls in a version of the format.

@@ -32,6 +32,14 @@ S inverse_or_zero(const S& value) {
   return select(positive, S(1) / select(positive, value, S(1)), S(0));
 }
 
+/// The sum of the impulses that press two bodies together.
+template <class S, class Rows>
+S load_of(const Rows& rows) {
+  S loaded(0);
+  for (const auto& r : rows) loaded += r.impulse;
+  return loaded;
+}
+
 /// The square of a point's distance from the pressure centre, zero where it is but the centre's rounding: a twist would
 /// be laid on the one point that bears anything as a push across the normal, up to all that friction holds.
 template <class S, class Vec>
@@ -126,9 +134,7 @@ class FrictionRows<S, Space<S>> {
 
   /// Takes over an angular impulse that resisted rolling, no more of it than the points that are left hold.
   void take_over_rolling(const Vec& rolling, Rows rows, const ContactMaterial<S>& material) {
-    S loaded(0);
-    for (const auto& r : rows) loaded += r.impulse;
-    rolling_ = no_longer_than(material.rolling_friction * loaded, rolling);
+    rolling_ = no_longer_than(material.rolling_friction * load_of<S>(rows), rolling);
   }
 
   /// Sets the velocity of B's surface over A's while both bodies rest.
@@ -274,17 +280,13 @@ class FrictionRows<S, plane::Space<S>> {
   void take_over(const Vec& normal, const Vec& friction, const Points&, T, Rows rows,
                  const ContactMaterial<S>& material, const RowVelocity<S, plane::Space<S>>& a,
                  const RowVelocity<S, plane::Space<S>>& b) {
-    S loaded(0);
-    for (const auto& r : rows) loaded += r.impulse;
-    const S most = material.static_friction * loaded, held = dot(friction, left(normal));
+    const S loaded = load_of<S>(rows), most = material.static_friction * loaded, held = dot(friction, left(normal));
     slid_ = select(at_limit(abs_of(held), loaded, material), abs_of(slip(normal, a, b)), S(0));
     push_ = clamp(held, -most, most);
   }
 
   void take_over_rolling(const S& rolling, Rows rows, const ContactMaterial<S>& material) {
-    S loaded(0);
-    for (const auto& r : rows) loaded += r.impulse;
-    const S most = material.rolling_friction * loaded;
+    const S most = material.rolling_friction * load_of<S>(rows);
     rolling_ = clamp(rolling, -most, most);
   }
 

@@ -1,5 +1,5 @@
-// Angular impulses that resist rolling, carried over from step to step by the features of contacts, as the world carries
-// the impulses of points: of a composite's several points of one feature by their order.
+// Angular impulses that resist rolling, carried over from step to step by the features of contacts, as the world
+// carries the impulses of points: of a composite's several points of one feature by their order.
 //
 // Guarantee: a manifold that shares a feature with one of the last step begins with its impulse. Manifolds without an
 // impulse cost nothing but a look at them, and nothing at all where no body resists rolling.

@@ -139,8 +139,8 @@ struct SimulationParts {
   /// Leaves out of the world's pairs those that joints mute, and those of two bodies that nothing pushes.
   void mute();
 
-  /// Calls `f(manifolds, sides, first)` with the manifolds of a pair that have the same materials, `sides`, side by side
-  /// in the world's or in the cut ones. `first` is a number for the first of them, which no other has.
+  /// Calls `f(manifolds, sides, first)` with the manifolds of a pair that have the same materials, `sides`, side by
+  /// side in the world's or in the cut ones. `first` is a number for the first of them, which no other has.
   template <class F>
   void each_surface(const ContactPair<T>& pair, const F& f) const {
     const ContactArrays<T, Space>& contacts = world.contacts();

@@ -31,26 +31,35 @@ std::size_t piece_count(const plane::Shape<T>& shape) {
   return 0;
 }
 
-/// The kind of `near_pieces` that takes a space's shapes.
+/// Room for the pieces that are near a point, of shapes of either space.
 template <class T>
-auto pieces_at(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, T near) {
-  std::vector<PieceDistance<T>> pieces;
+std::vector<PieceDistance<T>> room_for_pieces(const Shape<T>*);
+template <class T>
+std::vector<plane::PieceDistance<T>> room_for_pieces(const plane::Shape<T>*);
+template <class Shape>
+using NearPieces = decltype(room_for_pieces(static_cast<const Shape*>(nullptr)));
+
+template <class T>
+void find_pieces(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, T near,
+                 NearPieces<Shape<T>>& pieces) {
   near_pieces(shape, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, near, pieces);
-  return pieces;
 }
 template <class T>
-auto pieces_at(const plane::Shape<T>& shape, const plane::Pose2<T>& pose, const plane::Vec2<T>& point, T near) {
-  std::vector<plane::PieceDistance<T>> pieces;
+void find_pieces(const plane::Shape<T>& shape, const plane::Pose2<T>& pose, const plane::Vec2<T>& point, T near,
+                 NearPieces<plane::Shape<T>>& pieces) {
   near_pieces(shape, pose, plane::Shape<T>(plane::Circle<T>(T(0))), plane::Pose2<T>{point, {}}, near, pieces);
-  return pieces;
 }
 
-/// The piece whose surface is nearest to a point, of several the first; `known` where none is within `near`.
+/// The piece whose surface is nearest to a point, of several the first; `known` where none is within `near`. `pieces`
+/// is overwritten: room that is kept from point to point.
 template <class Shape, class Pose, class Vec, class T>
-std::uint32_t piece_at(const Shape& shape, const Pose& pose, const Vec& point, T near, std::uint32_t known) {
+std::uint32_t piece_at(const Shape& shape, const Pose& pose, const Vec& point, T near, std::uint32_t known,
+                       NearPieces<Shape>& pieces) {
+  pieces.clear();
+  find_pieces(shape, pose, point, near, pieces);
   T least_gap = near;
   bool found = false;
-  for (const auto& piece : pieces_at(shape, pose, point, near)) {
+  for (const auto& piece : pieces) {
     const T gap = std::abs(piece.distance.distance);
     if (found ? gap > least_gap || (gap == least_gap && piece.piece_a >= known) : gap > least_gap) continue;
     found = true;
@@ -88,14 +97,14 @@ void check_pieces(const typename Space::Shape& shape, std::span<const MaterialIn
 /// Cuts the manifolds of pairs of which either body has materials of its pieces.
 template <class T, class Space>
 void SimulationParts<T, Space>::cut_manifolds() {
-  cut.clear();
   const ContactArrays<T, Space>& contacts = world.contacts();
   const auto shapes = world.bodies().shapes();
+  NearPieces<typename Space::Shape> near_point;
   const auto material_at = [&](std::uint32_t index, const typename Space::Vec& point, T near, std::uint32_t piece,
                                bool alone) {
     const SimulatedBody<T, Space>& body = bodies[index];
     if (!body.pieces) return &body.material;
-    if (!alone) piece = piece_at(shapes[index], found_at[index], point, near, piece);
+    if (!alone) piece = piece_at(shapes[index], found_at[index], point, near, piece, near_point);
     const auto& of_piece = body.pieces->of_piece;
     return piece < of_piece.size() ? &body.pieces->materials[of_piece[piece]] : &body.material;
   };

@@ -65,7 +65,9 @@ Scene load_whole(const std::filesystem::path& file, const LoadOptions& options) 
   if (ending == "glb" || ending == "gltf")
     return load_gltf_from(bytes, file.filename().string(), file.has_parent_path() ? file.parent_path() : ".", options);
   if (ending == "obj" || ending == "stl" || ending == "ply") return load_mesh(bytes, file, options);
-  throw InvalidValue(file.string(), "a file that ends in .gltf, .glb, .obj, .stl or .ply", "\"." + ending + "\"");
+  throw InvalidValue(file.string(),
+                     "a file that ends in .gltf, .glb, .obj, .stl or .ply, or of the plane in .svg or .json",
+                     "\"." + ending + "\"");
 }
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options) {

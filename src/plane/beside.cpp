@@ -25,8 +25,8 @@ struct Range {
 struct Line {
   Vec2d origin, along;
 
-  /// Leaves of a range of parameters those at which the line is behind the one through `on_edge` with the outward normal
-  /// `n`, moved outwards by `moved`.
+  /// Leaves of a range of parameters those at which the line is behind the one through `on_edge` with the outward
+  /// normal `n`, moved outwards by `moved`.
   void keep_behind(const Vec2d& on_edge, const Vec2d& n, double moved, Range& range) const {
     const double a = dot(origin - on_edge, n) - moved, b = dot(along, n);
     if (b > 0)

@@ -50,8 +50,8 @@ class Ground {
     const Pose2d& mover_pose;
     double size;  ///< of the smaller of the two
   };
-  /// Sets `outline` to that of a piece of the body as far as it faces what meets it, of a chain's segment seen from both
-  /// sides, and makes it the core's; an empty one where nothing beside it matters.
+  /// Sets `outline` to that of a piece of the body as far as it faces what meets it, of a chain's segment seen from
+  /// both sides, and makes it the core's; an empty one where nothing beside it matters.
   void outline(Core<T>& core, const Meeting& meeting, SmallVector<OutlineVertex, 8>& outline) const;
 
  private:

@@ -34,7 +34,7 @@ std::optional<FirstContact> contact_of_polygons(const Core<T>& a, const Core<T>&
 /// ones converge quadratically unless they pass each other.
 inline constexpr int most_straight_steps = 100;
 
-/// The same of any cores, by steps along separating lines. `near`: the gap that counts as contact. Calls
+/// The first contact of any cores, by steps along separating lines. `near`: the gap that counts as contact. Calls
 /// `seen(t, gap, normal)` at each time that is looked at.
 template <class T, class Seen>
 std::optional<FirstContact> advance_straight(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,

@@ -48,7 +48,8 @@ std::optional<OnOutline> nearest_on_outlines(const Core<T>& a, const Core<T>& b,
                                              const Nearest& found, double size);
 
 /// The point of a polygon's outline that is nearest to a point inside the polygon or, as far as rounding tells, on its
-/// outer side; `piece` is one piece of the polygon. All in its frame; the normal leads out. Cost: linear in the vertices.
+/// outer side; `piece` is one piece of the polygon. All in its frame; the normal leads out. Cost: linear in the
+/// vertices.
 template <class T>
 Nearest nearest_on_outline(const Core<T>& piece, const Vec2d& from, bool inside);
 

@@ -1,9 +1,10 @@
 // Bodies of the plane that slide over floors made of pieces, and how often the seams are felt.
 //
 // A floor is the line y = 0 within 5 of the origin in its own frame, in pieces of many lengths: chains, solid polygons
-// that are cut, and compounds of chains end to end and of tiles, some of them rounded or within further compounds. A body slides along it, some ten thousandths of a radian tilted, its lowest point
-// 20 mm deep to 5 mm above; a step is up to 20 mm, some to where a side stands right over a seam. What it has to meet
-// is a half-plane: its points along its normal. Whatever else is told is a bump.
+// that are cut, and compounds of chains end to end and of tiles, some of them rounded or within further compounds. A
+// body slides along it, some ten thousandths of a radian tilted, its lowest point 20 mm deep to 5 mm above; a step is
+// up to 20 mm, some to where a side stands right over a seam. What it has to meet is a half-plane: its points along its
+// normal. Whatever else is told is a bump.
 #pragma once
 
 #include <algorithm>

@@ -94,9 +94,9 @@ TEST(RandomScenes, ComeToRest) {
   for (int i = 0; i < scenes; ++i) play_either(static_cast<unsigned>(i));
 }
 
-/// The same with closed meshes among the bodies that fall, in a quarter as many scenes, which take longer. Of a
-/// thousand 999 come to rest; in 847 two wedges hang in the air, held back by continuous collision in every step while no
-/// contact pushes them.
+/// Random scenes with closed meshes among the bodies that fall, in a quarter as many scenes, which take longer. Of a
+/// thousand 999 come to rest; in 847 two wedges hang in the air, held back by continuous collision in every step while
+/// no contact pushes them.
 TEST(RandomScenes, MeshesComeToRest) {
   const int scenes = asked_number("GRAZE_TEST_SCENES", 40) / 4;
   for (int i = 0; i < scenes; ++i) play_either(static_cast<unsigned>(i), true);

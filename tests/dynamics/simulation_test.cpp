@@ -108,8 +108,8 @@ TYPED_TEST(SimulationOf, RollingFrictionSlowsABallDown) {
   EXPECT_LT(length(s.motion(ball).linear), T(1e-4));
 }
 
-/// What rolls stops on a slope that rolling friction can hold, and stays: its torque is there when a step begins. Had it
-/// to be found anew in each, the wheel would creep by half a millimetre a second on the slope of 1 : 20.
+/// What rolls stops on a slope that rolling friction can hold, and stays: its torque is there when a step begins. Had
+/// it to be found anew in each, the wheel would creep by half a millimetre a second on the slope of 1 : 20.
 TYPED_TEST(SimulationOf, RollingFrictionHoldsWheelsOnASlope) {
   using T = TypeParam;
   for (const T slope : {T(0.05), T(0.1)})
@@ -132,8 +132,8 @@ TYPED_TEST(SimulationOf, RollingFrictionHoldsWheelsOnASlope) {
     }
 }
 
-/// One point alone has no twist: its impulse bears the weight and nothing else, in every step. The centre of pressure is
-/// that point but for rounding, which an impulse across the slope would be made of.
+/// One point alone has no twist: its impulse bears the weight and nothing else, in every step. The centre of pressure
+/// is that point but for rounding, which an impulse across the slope would be made of.
 TYPED_TEST(SimulationOf, OnePointBearsTheWeightAlone) {
   using T = TypeParam;
   SimulationSettings<T> four = settings<T>();

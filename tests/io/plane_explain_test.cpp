@@ -98,7 +98,8 @@ TEST(PlaneExplain, EveryShapeHasItsPicture) {
       R"({"type": "chain", "chain": {"points": [[-1, 0], [0, 0.3], [1, 0]], "sides": "one"}})",
       R"({"type": "compound", "compound": {"children": [{"shape": {"type": "box", "box": {"size": [1, 1]}}},
           {"shape": {"type": "circle", "circle": {"radius": 0.4}}, "translation": [1, 0]}]}})",
-      R"({"type": "compound", "margin": 0.2, "compound": {"children": [{"shape": {"type": "box", "box": {"size": [1, 1]}}},
+      R"({"type": "compound", "margin": 0.2, "compound": {"children": [
+          {"shape": {"type": "box", "box": {"size": [1, 1]}}},
           {"shape": {"type": "polygon", "polygon": {"points": [[-1, -1], [1, -1], [1, 1], [0, 0], [-1, 1]]}}}]}})"};
   for (const char* a : shapes)
     for (const char* b : shapes)

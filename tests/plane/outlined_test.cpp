@@ -311,8 +311,8 @@ TYPED_TEST(PlaneChains, HillsAndValleysGiveNormalsOfTheirOwn) {
     }
 }
 
-// A point at the outline lies, by rounding, in one of the pieces that meet there, in several, or in none: it is no deeper
-// for that.
+// A point at the outline lies, by rounding, in one of the pieces that meet there, in several, or in none: it is no
+// deeper for that.
 TYPED_TEST(PlaneChains, APointAtTheOutlineOfASolidPolygonHasNoDepth) {
   using T = TypeParam;
   std::mt19937 random(9);

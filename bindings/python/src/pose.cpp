@@ -22,7 +22,8 @@ py::array_t<double> matrix_of(const Posed& pose) {
 void add_pose(py::module_& m) {
   py::class_<Posed>(m, "Pose", R"(Where a body stands and how it is turned: p -> translation + rotation p.
 
-translation: three numbers. rotation: a quaternion (x, y, z, w), brought to unit length where it is off by more than 1e-6.
+translation: three numbers. rotation: a quaternion (x, y, z, w), brought to unit length where it is off by more than
+1e-6.
 Wherever a pose is asked for, these do as well: a pair (translation, rotation), an array of
 seven numbers, a 4x4 matrix without scale, three numbers (a translation alone), None (the origin).
 Raises ValueError for numbers that are not finite or too large, and for a matrix that is no pose.

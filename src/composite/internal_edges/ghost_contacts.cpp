@@ -63,7 +63,7 @@ std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Pla
       return beside.normal;
   }
   std::optional<OnSurface<T>> seen = surface_over(self, point, outward, other);
-  if (!seen || seen->risen) seen = own_surface(self, point, outward, other);
+  if (!seen || seen->outside_region) seen = own_surface(self, point, outward, other);
   return seen ? std::optional(seen->normal) : std::nullopt;
 }
 

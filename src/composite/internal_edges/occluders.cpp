@@ -127,19 +127,19 @@ template <class T>
 struct BestCover {
   const LeafInContext<T>& other;
   std::optional<OnSurface<T>> surface = {};
-  bool risen = true;
+  bool outside_region = true;
   T along = T(0), depth = std::numeric_limits<T>::infinity();
 
   void offer(const OnSurface<T>& seen, const Sight<T>& sight) {
-    const bool now_outside = neighbour_outside_region(sight.self, seen.point, seen.normal, Among::all).has_value();
+    const bool now = neighbour_outside_region(sight.self, seen.point, seen.normal, Among::all).has_value();
     const T now_along = length(seen.point - sight.from), deep = depth_below(seen, other);
     const T nearer = now_along - along;
-    const bool better = !surface || (now_outside != risen                    ? risen
+    const bool better = !surface || (now != outside_region                    ? outside_region
                                      : std::abs(nearer) > T(8) * sight.slack ? nearer > T(0)
                                                                              : deep < depth);
     if (!better) return;
     surface = seen;
-    surface->risen = risen = now_outside;
+    surface->outside_region = outside_region = now;
     along = now_along;
     depth = deep;
   }

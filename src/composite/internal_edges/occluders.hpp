@@ -18,7 +18,7 @@ namespace graze {
 template <class T>
 struct OnSurface {
   Vec3<T> point, normal;
-  bool risen = false;  ///< something rises above it: the normal is none of the surface's after all
+  bool outside_region = false;  ///< something rises above it: the normal is none of the surface's after all
 };
 
 /// The distance of a place of the world from a convex piece; negative inside a solid one.

@@ -40,7 +40,7 @@ class ScannedShape {
  public:
   /// Takes a scannable shape, which must outlive this object.
   explicit ScannedShape(const Shape<T>& shape) {
-    shape.visit([this](const auto& concrete) { this->take(concrete); });  // clang 14 sees no other use of `this`
+    shape.visit([this](const auto& concrete) { this->take(concrete); });  // `take` alone is no use of `this` to clang 14
   }
   ScannedShape(const ScannedShape&) = delete;
   ScannedShape& operator=(const ScannedShape&) = delete;

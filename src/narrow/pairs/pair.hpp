@@ -19,13 +19,13 @@
 //
 //     overlap_rows<T>(), distance_rows<T>(), contact_rows<T>()   kernels for pairs in rows (`pair_kernels.hpp`)
 //     visit_contacts(pairs, count, turned, sink)                 passes the kernels' results to a `contact_sink.hpp`
-//     overlaps_by_mpr = true                                     batches ask for what is left by portals, which is
+//     overlaps_by_mpr = true                                     batches ask for what is left by MPR, which is
 //                                                                faster than the routine of a single pair
 //     takes_all_shapes = true                                    no shape is filtered out: the kernels check themselves
 //
 // Members by which a pair is compiled with the kernels of a family, which it then names in the members above:
 //
-//     closed_form_rows = true      `row_overlaps`, `row_distances`: pairs with a `distance_of` (`pairs/row_distance.hpp`)
+//     closed_form_rows = true      `row_overlaps`, `row_distances`: a `distance_of` is there (`pairs/row_distance.hpp`)
 //     one_contact_kernels = true   `sphere_capsule_contacts`, `sphere_capsule_row_contacts`
 //     half_space_kernels = true    `half_space_slots`
 #pragma once

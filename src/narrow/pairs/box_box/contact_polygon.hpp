@@ -109,8 +109,9 @@ class ContactPolygon {
     return low;
   }
 
-  /// As `find_deepest`, but `simplify` keeps the corner that is deepest once the faces are tilted: `tilt` is how much
-  /// nearer they come for each unit along x and y. Of corners that only rounding tells apart, that is one by its place.
+  /// The least distance, as `find_deepest` has it; `simplify` then keeps the corner that is deepest once the faces are
+  /// tilted: `tilt` is how much nearer they come for each unit along x and y. Of corners that only rounding tells
+  /// apart, that is one by its place.
   S find_deepest_tilted(const FlatPoint<S>& tilt) {
     const S none(std::numeric_limits<T>::infinity());
     S low = none, low_tilted = none;
