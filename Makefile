@@ -1,6 +1,7 @@
 # A thin front: what is built and how is in CMakePresets.json, what it needs in scripts/setup.sh.
 # Variables: JOBS (default: all processors), PREFIX (install), CMAKE_ARGS (to configure, e.g. -DGRAZE_WERROR=ON),
-# CTEST_ARGS (e.g. "-R narrow"), GRAZE_NO_SETUP=1 (install no packages), QUICK=1 and POSES=file.csv (bench).
+# CTEST_ARGS (e.g. "-R narrow"), GRAZE_NO_SETUP=1 (install no packages), QUICK=1 (bench, test-lab) and POSES=file.csv
+# (bench).
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 CMAKE_ARGS ?=
@@ -111,11 +112,11 @@ lab: ## build the lab, a web application, into apps/lab/dist
 	cd apps/lab && npm run build
 
 # The programs that the lessons show are linked with the library of `make test` and run in the module of `make python`,
-# where these have been built; without them C++ is compiled only, and Python left out.
+# where these have been built; without them C++ is compiled only, and Python left out. QUICK=1 opens half of the pages.
 .PHONY: test-lab
 test-lab: lab ## the lab's tests: the lessons' programs, and the pages in headless Chromium
 	cd apps/lab && LIBGRAZE=$(abspath $(wildcard build/release/src/libgraze.a)) \
-	  PYTHONPATH=$(abspath $(wildcard build/release/python)) npm test
+	  PYTHONPATH=$(abspath $(wildcard build/release/python)) QUICK=$(QUICK) npm test
 
 # LAB=folder takes a lab that was built elsewhere, LAB=none leaves it out. The pages of docs/, the API reference, the
 # tables, the lessons and what searches them: static files for any host.

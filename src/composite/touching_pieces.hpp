@@ -133,9 +133,9 @@ struct TouchingPieces {
       for (std::size_t i = 0; i < run.count; ++i) alone(i);
       return;
     }
-    const std::optional<SphereCapsuleOnSurface<T>> on_surface = sphere_capsule_on_surface(run);
+    const std::optional<SphereCapsuleOnSurface<T>> sphere_capsule = sphere_capsule_on_surface(run);
     const auto touch = [&](std::size_t i, T distance, Manifold<T>& manifold) {
-      if (on_surface && on_surface->is_ghost(run.number[i], manifold, run.surface_is_a))
+      if (sphere_capsule && sphere_capsule->is_ghost(run.number[i], manifold, run.surface_is_a))
         return pass_over(run, i, distance, manifold);
       run.with_pair(i, [&](const Part<T>& pa, const Part<T>& pb) { take(pa, pb, distance, manifold); });
     };

@@ -6,19 +6,14 @@
 
 import { runAll } from "./browser/harness.mjs";
 import "./browser/every-lesson.mjs";
+import "./browser/axes-lessons.mjs";
 import "./browser/scenes.mjs";
 import "./browser/viewer.mjs";
-import "./browser/questions.mjs";
-import "./browser/time.mjs";
 import "./browser/files.mjs";
-import "./browser/captures.mjs";
-import "./browser/stages.mjs";
 import "./browser/offline.mjs";
-import "./browser/animations.mjs";
-import "./browser/hostile-addresses.mjs";
-import "./browser/axes-lessons.mjs";
-import "./browser/formulas.mjs";
-import "./browser/iterations-lessons.mjs";
-import "./browser/other-lessons.mjs";
+// What one lesson or one way through the viewer has of its own: as much time again.
+if (!process.env.QUICK)
+  for (const own of ["captures", "animations", "time", "questions", "stages", "hostile-addresses", "formulas", "iterations-lessons", "other-lessons"])
+    await import(`./browser/${own}.mjs`);
 
 await runAll();

@@ -5,6 +5,7 @@
 //   CHROMIUM=path                     another browser of this kind
 //   ONLY=text                         the tests whose names contain it
 //   JOBS=number                       how many run at once
+//   QUICK=1                           the half that goes through every lesson and the viewer
 //   SCREENSHOTS=folder                pictures of every lesson, light, dark and as a phone shows it
 
 import assert from "node:assert/strict";
