@@ -34,7 +34,8 @@ void check_bounds(const graze::Shaped& shape, const graze::io::TriangleSoup& sou
     for (const auto corner : triangle) {
       require(corner < soup.points.size());
       for (int k = 0; k < 3; ++k)
-        require(soup.points[corner][k] >= box.lower[k] - 1e-12 * size && soup.points[corner][k] <= box.upper[k] + 1e-12 * size);
+        require(soup.points[corner][k] >= box.lower[k] - 1e-12 * size &&
+                soup.points[corner][k] <= box.upper[k] + 1e-12 * size);
     }
 }
 
