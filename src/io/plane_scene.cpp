@@ -1,10 +1,8 @@
 #include "graze/io/plane_scene.hpp"
 
-#include <algorithm>
-
-#include "graze/io/file.hpp"
 #include "io/plane_question.hpp"
 #include "io/plane_scene_parts.hpp"
+#include "io/scene_file.hpp"
 #include "io/svg_scene.hpp"
 
 namespace graze::io {
@@ -13,13 +11,6 @@ namespace {
 
 /// The largest size of a drawing that is read: it has more shapes than anybody draws.
 constexpr std::size_t largest_file = std::size_t(1) << 28;
-
-std::string ending_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 std::vector<std::string> read_names(const JsonValue& json) {
   std::vector<std::string> out;
@@ -123,7 +114,7 @@ std::uint32_t PlaneSceneBuilder::add(std::string name, const Role& role, plane::
 
 bool is_plane_scene(const std::filesystem::path& file) {
   const std::string ending = ending_of(file);
-  return ending == ".svg" || ending == ".json";
+  return ending == "svg" || ending == "json";
 }
 
 PlaneScene load_plane_svg(const std::string& bytes, const std::string& source_name) {
@@ -161,17 +152,13 @@ PlaneScene load_plane_json(const std::string& bytes, const std::string& source_n
 }
 
 PlaneScene load_plane_scene(const std::filesystem::path& file) {
-  std::ifstream in = open_file(file);
   std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed)) throw InvalidValue(file.string(), "", "not a regular file");
-  if (std::filesystem::file_size(file, failed) > largest_file)
+  if (std::filesystem::is_regular_file(file, failed) && std::filesystem::file_size(file, failed) > largest_file)
     throw InvalidValue(file.string(), "a file of at most 256 MiB", "a larger one");
-  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  if (!in && !in.eof()) throw InvalidValue(file.string(), "", "cannot be read to its end");
-  const std::string name = file.filename().string();
-  if (ending_of(file) == ".svg") return load_plane_svg(bytes, name);
-  if (ending_of(file) == ".json") return load_plane_json(bytes, name);
-  throw InvalidValue(file.string(), "a file that ends in .svg or .json", "\"" + ending_of(file) + "\"");
+  const std::string bytes = read_file(file), name = file.filename().string(), ending = ending_of(file);
+  if (ending == "svg") return load_plane_svg(bytes, name);
+  if (ending == "json") return load_plane_json(bytes, name);
+  throw InvalidValue(file.string(), "a file that ends in .svg or .json", "\"." + ending + "\"");
 }
 
 }  // namespace graze::io
