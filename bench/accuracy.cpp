@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <regex>
 
+#include "accuracy_kinds.hpp"
 #include "accuracy_plane.hpp"
 #include "accuracy_truth.hpp"
 #include "command_line.hpp"
@@ -266,6 +267,7 @@ margins of Bullet are 0, so that its shapes are those of everybody else.
         tables.ray);
   print("Time of impact",
         "Of a shape that moves without turning: how far the two are apart, or deep, at the time told.", tables.cast);
+  print_accuracy_of_kinds(options.pairs / 10, options.pairs / 200, only);
   plane::print_accuracy(options.pairs / 100, only);
 }
 

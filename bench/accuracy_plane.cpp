@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "largest_error.hpp"
 #include "plane/moving_figures.hpp"
 #include "table.hpp"
 
@@ -11,24 +12,13 @@ namespace graze::plane {
 
 namespace {
 
+using bench::LargestError;
+
 constexpr std::array<const char*, figure_kinds> figure_names = {"circle",  "box",     "capsule", "tapered",
                                                                 "segment", "polygon", "ellipse", "user's"};
 
-/// The largest error of a query, relative to the size, and how often its answer was the opposite.
-struct Largest {
-  double error = 0;
-  std::size_t asked = 0, wrong = 0;
-
-  void add(Wide off) { ++asked, error = std::max(error, static_cast<double>(std::abs(off))); }
-  void add_wrong() { ++asked, ++wrong; }
-  std::string text() const {
-    if (asked == 0) return "none";
-    return bench::error(error) + (wrong > 0 ? " (" + bench::percent(wrong, asked) + ")" : "");
-  }
-};
-
 struct PlaneErrors {
-  Largest apart, overlapping, depth, cast, impact;
+  LargestError apart, overlapping, depth, cast, impact;
 };
 
 /// A body's figure and where it is.
@@ -56,7 +46,7 @@ void ask_where(const Standing<T>& a, const Standing<T>& b, Wide size, PlaneError
 /// and so is a hit after they were as deep.
 template <class T>
 void ask_when(const Standing<T>& a, const Velocity<T>& of_a, const Standing<T>& b, const Velocity<T>& of_b, Wide size,
-              Largest& errors) {
+              LargestError& errors) {
   const auto hit = cast<T>(a.figure.shape, a.pose, of_a, b.figure.shape, b.pose, of_b, T(1));
   if (hit && hit->t == T(0)) return;
   const MovingFigures<T> moving(a.figure, a.pose, of_a, b.figure, b.pose, of_b);
@@ -97,7 +87,7 @@ void print_accuracy(std::size_t pairs, const std::regex& only) {
           std::string("plane ") + figure_names[std::size_t(a)] + "-" + figure_names[std::size_t(b)];
       if (!std::regex_search(name, only)) continue;
       const PlaneErrors wide = ask_plane<double>(a, b, pairs), narrow = ask_plane<float>(a, b, pairs);
-      const auto both = [&](Largest PlaneErrors::*query) {
+      const auto both = [&](LargestError PlaneErrors::*query) {
         return (wide.*query).text() + " / " + (narrow.*query).text();
       };
       table.add({name.substr(6), both(&PlaneErrors::apart), both(&PlaneErrors::overlapping), both(&PlaneErrors::depth),

@@ -61,11 +61,14 @@ reference::Placed referenced(const Body& body) {
   return reference::place(reference_shape(body), wide(body.pose.translation), {q.x, q.y, q.z, q.w});
 }
 
-std::optional<Meeting> ray_meeting(const Pair& ray) {
-  const reference::Placed target = referenced(ray.a);
-  const reference::Vector from = wide(ray.b.pose.translation), way = wide(ray.motion);
+std::optional<Meeting> ray_meeting(const reference::Placed& target, const reference::Vector& from,
+                                   const reference::Vector& way, Real size) {
   const auto gap = [&](Real t) { return reference::outside_distance(target, from + way * t); };
-  return first_zero(gap, reference::length(way), ray.a.reach());
+  return first_zero(gap, reference::length(way), size);
+}
+
+std::optional<Meeting> ray_meeting(const Pair& ray) {
+  return ray_meeting(referenced(ray.a), wide(ray.b.pose.translation), wide(ray.motion), ray.a.reach());
 }
 
 std::optional<Meeting> cast_meeting(const Pair& way) {

@@ -19,6 +19,10 @@ struct Meeting {
   Real t, closing;
 };
 
+/// When a ray enters a shape of that size, on its way from `from` to `from + way`.
+std::optional<Meeting> ray_meeting(const reference::Placed& target, const reference::Vector& from,
+                                   const reference::Vector& way, Real size);
+
 /// When the ray of a pair of `make_rays` enters A.
 std::optional<Meeting> ray_meeting(const Pair& ray);
 

@@ -221,14 +221,21 @@ export interface Stack {
   steps: number;
   /** The sub-steps of each step; null for the library's own choice. */
   subSteps: number | null;
+  /** Whether sub-steps begin with the impulses of the last one. */
+  warm: boolean;
   /** Of the top box, and where it begins. */
   mass: number;
   top: Vec;
   friction: number;
 }
 /** The deepest contact of a stack of boxes, and where its top box comes to. */
-export function stackPrograms({ boxes, rate, steps, subSteps, mass, top, friction }: Stack): Programs {
+export function stackPrograms({ boxes, rate, steps, subSteps, warm, mass, top, friction }: Stack): Programs {
   const last = boxes - 1;
+  const settings = {
+    cpp: (warm ? "" : "  settings.warm_start = false;\n") + (subSteps === null ? "" : `  settings.sub_steps = settings.most_sub_steps = ${subSteps};\n`),
+    python: (warm ? "" : ", warm_start=False") + (subSteps === null ? "" : `, sub_steps=${subSteps}, most_sub_steps=${subSteps}`),
+    js: (warm ? "" : ", warmStart: false") + (subSteps === null ? "" : `, subSteps: ${subSteps}, mostSubSteps: ${subSteps}`),
+  };
   return {
     "C++": `#include <graze/graze.hpp>
 
@@ -237,7 +244,7 @@ export function stackPrograms({ boxes, rate, steps, subSteps, mass, top, frictio
 int main() {
   graze::SimulationSettings<double> settings;
   settings.sleep = false;
-${subSteps === null ? "" : `  settings.sub_steps = settings.most_sub_steps = ${subSteps};\n`}  graze::Simulationd simulation(settings);
+${settings.cpp}  graze::Simulationd simulation(settings);
   graze::Material<double> rough;
   rough.static_friction = rough.dynamic_friction = ${friction};
   graze::Body<double> floor{graze::HalfSpace<double>()};
@@ -260,7 +267,7 @@ ${subSteps === null ? "" : `  settings.sub_steps = settings.most_sub_steps = ${s
 }`,
     Python: `import graze
 
-simulation = graze.Simulation(sleep=False${subSteps === null ? "" : `, sub_steps=${subSteps}, most_sub_steps=${subSteps}`})
+simulation = graze.Simulation(sleep=False${settings.python})
 rough = graze.Material(static_friction=${friction}, dynamic_friction=${friction})
 simulation.add(graze.HalfSpace(), fixed=True, material=rough)
 # Each box stands a little beside the one below.
@@ -276,7 +283,7 @@ print("deepest contact", simulation.report["deepest"], "top box at", *simulation
     JavaScript: `import { init, Box, HalfSpace, Simulation } from "graze/double";
 
 await init();
-const simulation = new Simulation({ sleep: false${subSteps === null ? "" : `, subSteps: ${subSteps}, mostSubSteps: ${subSteps}`} });
+const simulation = new Simulation({ sleep: false${settings.js} });
 const rough = { staticFriction: ${friction}, dynamicFriction: ${friction} };
 simulation.add({ shape: new HalfSpace(), fixed: true }, {}, rough);
 // Each box stands a little beside the one below.

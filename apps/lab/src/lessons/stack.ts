@@ -18,10 +18,10 @@ type Effort = (typeof efforts)[number];
 const masses = [1, 10, 100, 1000], frictions = [0.6, 0];
 const named: Record<Effort, string> = { 1: "1", 2: "2", 4: "4", 8: "8", 16: "16", auto: "4 and more, by load" };
 /** Everything that is simulated. */
-const stackOf = ({ effort, mass, friction, top }: Setup): Stack =>
-  ({ boxes, rate, steps: frames * every, subSteps: effort === "auto" ? null : Number(effort), mass, friction, top });
+const stackOf = ({ effort, warm, mass, friction, top }: Setup): Stack =>
+  ({ boxes, rate, steps: frames * every, subSteps: effort === "auto" ? null : Number(effort), warm, mass, friction, top });
 
-interface Setup { effort: Effort; mass: number; friction: number; top: Vec }
+interface Setup { effort: Effort; warm: boolean; mass: number; friction: number; top: Vec }
 interface Frame { poses: { translation: Vec; rotation: Vec }[]; deepest: number; mean: number; residual: number; contacts: number; subSteps: number }
 const kept = new Map<string, Frame[]>();
 /** The places of the boxes at the beginning, the lowest first. */
@@ -32,8 +32,8 @@ function run(setup: Setup): Frame[] {
   const key = JSON.stringify(setup), known = kept.get(key);
   if (known) return known;
   if (kept.size >= most) kept.clear();
-  const { subSteps, mass, friction } = stackOf(setup);
-  const settings: graze.SimulationSettings = subSteps === null ? { sleep: false } : { sleep: false, subSteps, mostSubSteps: subSteps };
+  const { subSteps, warm, mass, friction } = stackOf(setup);
+  const settings: graze.SimulationSettings = { sleep: false, warmStart: warm, ...(subSteps === null ? {} : { subSteps, mostSubSteps: subSteps }) };
   const simulation = new graze.Simulation(settings), shape = new graze.Box(size), floor = new graze.HalfSpace();
   const material = { staticFriction: friction, dynamicFriction: friction };
   const made: Frame[] = [];
@@ -54,10 +54,11 @@ function run(setup: Setup): Frame[] {
   kept.set(key, made);
   return made;
 }
-const situation = (effort: Effort, mass: number, friction = frictions[0], [x, y, z] = usualTop): State => ({
-  q: { query: "contacts", a: { shape: plane() }, b: { shape: box(...size), translation: [0.04, 0.5, 0] }, margin: 0.05 }, choice: { effort, mass, friction, x, y, z } });
+const situation = (effort: Effort, mass: number, friction = frictions[0], [x, y, z] = usualTop, warm = true): State => ({
+  q: { query: "contacts", a: { shape: plane() }, b: { shape: box(...size), translation: [0.04, 0.5, 0] }, margin: 0.05 }, choice: { effort, warm, mass, friction, x, y, z } });
 const chosen = (state: State): Setup => ({
   effort: efforts.find((e) => e === state.choice?.effort) ?? "auto",
+  warm: state.choice?.warm !== false,
   mass: masses.find((m) => m === state.choice?.mass) ?? 1,
   friction: frictions.find((f) => f === state.choice?.friction) ?? frictions[0],
   top: ["x", "y", "z"].map((k, i) => numberOf(state, k, usualTop[i])),
@@ -72,6 +73,7 @@ export const stack: Lesson = {
   dimension: 3, view: { center: [0, 5, 0], reach: 6, from: [0.25, 0.12, 1] }, start: situation("auto", 1),
   choices: [
     { key: "effort", label: "Sub-steps", options: [{ value: "auto", label: "as needed" }, ...efforts.slice(0, 5).map((value) => ({ value, label: value }))] },
+    { key: "warm", label: "Warm start", options: [{ value: true, label: "from the last impulses" }, { value: false, label: "from none" }] },
     { key: "mass", label: "Mass of the top box", options: masses.map((value) => ({ value, label: `${value} kg` })) },
     { key: "friction", label: "Friction", options: frictions.map((value) => ({ value, label: value === 0 ? "none" : String(value) })) },
   ],
@@ -89,7 +91,7 @@ export const stack: Lesson = {
     };
   },
   steps(state) {
-    const setup = chosen(state), { effort, mass, friction } = setup;
+    const setup = chosen(state), { effort, warm, mass, friction } = setup;
     const draw = (poses: Frame["poses"]): Step["draw"] => (d) => {
       d.shape({ shape: plane() }, "ink", { ghost: true });
       poses.forEach((pose, i) => {
@@ -105,8 +107,8 @@ export const stack: Lesson = {
     const aside = setup.top.every((x, i) => x === usualTop[i]) ? "each stands 8 cm beside the one below" : "each stands 8 cm beside the one below, but for the top one, which was put elsewhere";
     const steps: Step[] = [{
       title: "Ten boxes",
-      text: `A box of one metre and one kilogram on another, nine of them, and one of ${mass} kg on top; ${aside}. The lowest contact has to carry ${8 + 1 + mass} kg. A step of 1/${rate} s is divided into sub-steps. In each the solver goes once over all contacts, and starts from the impulses that it found last: a warm start. The library offers no solver without it, so there is no switch for that here.`,
-      numbers: { caption: "What is simulated", columns: ["quantity", "value"], rows: [{ cells: ["boxes", boxes] }, { cells: ["mass of the top box, kg", mass] }, { cells: ["friction", friction] }, { cells: ["sub-steps of a step", named[effort]] }] },
+      text: `A box of one metre and one kilogram on another, nine of them, and one of ${mass} kg on top; ${aside}. The lowest contact has to carry ${8 + 1 + mass} kg. A step of 1/${rate} s is divided into sub-steps. In each the solver goes once over all contacts, and starts from ${warm ? "the impulses that it found last: a warm start" : "no impulses: each sub-step has to find anew what carries the stack"}.`,
+      numbers: { caption: "What is simulated", columns: ["quantity", "value"], rows: [{ cells: ["boxes", boxes] }, { cells: ["mass of the top box, kg", mass] }, { cells: ["friction", friction] }, { cells: ["sub-steps of a step", named[effort]] }, { cells: ["begins with", warm ? "the last impulses" : "no impulses"] }] },
       handles: ["top"],
       says: `Ten boxes on each other, the top one of ${mass} kilograms.`,
       draw: draw(startOf(setup)),
@@ -147,6 +149,7 @@ export const stack: Lesson = {
   ],
   wrong: [
     { label: "A thousand to one", note: "The light boxes are pressed into each other and thrown out, and the heavy one comes down by metres, whatever the sub-steps: impulses from the floor do not get up there in time.", state: situation("auto", 1000) },
+    { label: "No warm start", note: "Every sub-step begins with no impulses and goes over the contacts once: the floor's push gets up by little more than a box, and the stack sinks as if most of its weight hung in the air.", state: situation("auto", 1, frictions[0], usualTop, false) },
     { label: "No friction", note: "A contact that cannot hold sideways turns what leans into drift, and ten times the load on one sub-step shows it.", state: situation("1", 10, 0) },
   ],
   sources: ["E. Catto: Solver2D, 2024 (soft contacts in sub-steps)", "M. Macklin and others: Small steps in physics simulation, Symposium on Computer Animation 2019", "E. Catto: Iterative dynamics with temporal coherence, 2005 (warm starts)"],

@@ -67,7 +67,7 @@ test("hostile addresses: the difference of two ellipsoids is left out, and a mov
 test("hostile addresses: choices that are no numbers are the usual ones", async () => {
   const bad = { text: "abc", none: null, list: [1, 2], flag: true };
   const hostile = {
-    stack: { effort: "9", mass: bad.text, friction: bad.text, x: bad.text, y: bad.list, z: bad.flag },
+    stack: { effort: "9", warm: bad.text, mass: bad.text, friction: bad.text, x: bad.text, y: bad.list, z: bad.flag },
     "broad-phases": { kind: "none", x: bad.text, y: bad.none, z: bad.list },
     filters: { x0: bad.text, y0: bad.none, x1: bad.list },
     hulls: { count: bad.text, form: "constructor", x: bad.text, y: bad.none, z: bad.list },

@@ -217,18 +217,28 @@ test("broad phases: the box that asks meets other bodies where it is dragged to"
   }
 });
 
-test("a stack: the deepest contact after a second is the library's", async () => {
-  const page = await visit("#/lesson/stack");
-  await page.click('.choices button:text-is("4")');
-  const simulation = new graze.Simulation({ sleep: false, subSteps: 4, mostSubSteps: 4 });
+/** The deepest contact of the lesson's stack after a second of four sub-steps a step, in metres. */
+function deepestOfStack(warmStart) {
+  const simulation = new graze.Simulation({ sleep: false, subSteps: 4, mostSubSteps: 4, warmStart });
   const box = new graze.Box([1, 1, 1]), floor = new graze.HalfSpace(), rough = { staticFriction: 0.6, dynamicFriction: 0.6 };
   simulation.add({ shape: floor, fixed: true }, {}, rough);
   for (let i = 0; i < 10; i++) simulation.add({ shape: box, translation: [i % 2 === 0 ? 0.04 : -0.04, 0.5 + i, 0] }, { mass: 1 }, rough);
   for (let i = 0; i < 60; i++) simulation.step(1 / 60);
-  await page.click('button[aria-label^="Last"]');
-  const cells = await page.$$eval(".numbers tr.is-now td[title]", (list) => list.map((cell) => cell.title));
-  assert.equal(Number(cells[0]), simulation.report().deepest * 1000);
+  const { deepest } = simulation.report();
   for (const made of [simulation, box, floor]) made.dispose();
+  return deepest;
+}
+test("a stack: the deepest contact after a second is the library's, and without a warm start much deeper", async () => {
+  const page = await visit("#/lesson/stack");
+  const told = async () => Number((await page.$$eval(".numbers tr.is-now td[title]", (list) => list.map((cell) => cell.title)))[0]);
+  await page.click('.choices button:text-is("4")');
+  await page.click('button[aria-label^="Last"]');
+  const warm = deepestOfStack(true), cold = deepestOfStack(false);
+  assert.equal(await told(), warm * 1000);
+  await page.click('.choices button:text-is("from none")');
+  await page.click('button[aria-label^="Last"]');
+  assert.equal(await told(), cold * 1000);
+  assert.ok(cold > 2 * warm, `${cold} m and ${warm} m`);
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });
