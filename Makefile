@@ -112,9 +112,11 @@ lab: ## build the lab, a web application, into apps/lab/dist
 	cd apps/lab && npm run build
 
 # The programs that the lessons show are linked with the library of `make test` and run in the module of `make python`,
-# where these have been built; without them C++ is compiled only, and Python left out. QUICK=1 opens half of the pages.
+# where these have been built; without them C++ is compiled only, and Python left out. The npm package is packed and
+# installed here, since npm, Vite and a TypeScript of today are the lab's. QUICK=1 opens half of the pages.
 .PHONY: test-lab
-test-lab: lab ## the lab's tests: the lessons' programs, and the pages in headless Chromium
+test-lab: lab ## the lab's tests: the lessons' programs, the pages in headless Chromium, and the npm package in a bundle
+	node --test tests/js/package.test.js
 	cd apps/lab && LIBGRAZE=$(abspath $(wildcard build/release/src/libgraze.a)) \
 	  PYTHONPATH=$(abspath $(wildcard build/release/python)) QUICK=$(QUICK) npm test
 

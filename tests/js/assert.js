@@ -29,3 +29,12 @@ export function throws(body, message, type) {
   else equal(thrown.message, message, "message");
   if (type !== undefined) ok(thrown instanceof type, `that the error is a ${type.name}`);
 }
+/** Whether the engine knows `using` of its own. */
+export const knowsUsing = (() => {
+  try {
+    new Function("{ using nothing = null; }");
+    return true;
+  } catch {
+    return false;
+  }
+})();

@@ -9,7 +9,9 @@ import test from "node:test";
 import assert from "node:assert/strict";
 import { pathToFileURL, fileURLToPath } from "node:url";
 import { promisify } from "node:util";
+import { knowsUsing } from "./assert.js";
 import { checks } from "./checks.js";
+import { pairsOfProtocol } from "./protocol_page.js";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const project = path.resolve(here, "../..");
@@ -34,6 +36,12 @@ longRun._initialize?.();
 
 for (const [name, check] of checks) test(name, () => check({ graze, double, queries, longRun }));
 
+// Older ones run what a compiler makes of using.js (package.test.js).
+test("`using` gives handles back", { skip: !knowsUsing && "needs a Node that knows `using`" }, async (t) => {
+  const { usingChecks } = await import("./using.js");
+  for (const [name, check] of usingChecks) await t.test(name, () => check({ graze, double, queries }));
+});
+
 test("what was forgotten is given back", { skip: globalThis.gc === undefined && "needs --expose-gc" }, async () => {
   const collect = async (enough) => {
     for (let tries = 0; tries < 50 && graze.memoryInUse() > enough; ++tries) {
@@ -53,14 +61,9 @@ test("what was forgotten is given back", { skip: globalThis.gc === undefined && 
 });
 
 test("questions of the protocol's page have the answers of the page", async () => {
-  const lines = (await readFile(path.join(project, "docs/protocol.md"), "utf8")).split("\n");
-  let asked = 0;
-  lines.forEach((line, i) => {
-    if (!line.startsWith("{") || !line.includes('"query"') || !lines[i + 1]?.startsWith("{")) return;
-    assert.equal(double.query(line), lines[i + 1]);
-    ++asked;
-  });
-  assert.ok(asked >= 12, `expected a dozen questions, got ${asked}`);
+  const pairs = pairsOfProtocol(await readFile(path.join(project, "docs/protocol.md"), "utf8"));
+  for (const [question, answer] of pairs) assert.equal(double.query(question), answer);
+  assert.ok(pairs.length >= 12, `expected a dozen questions, got ${pairs.length}`);
 });
 
 test("compounds nest as deep as a line may", () => {
