@@ -71,6 +71,16 @@ export interface Pose {
 }
 /** A pose turned by `angle` about `axis`, which need not be unit. */
 export function turned(translation: Vec3Like, axis: Vec3Like, angle: number): Pose;
+/** The pose `b`, given in the frame of `a`, in the world: the motion `b` followed by `a`. */
+export function compose(a: PoseLike, b: PoseLike): Pose;
+/** The motion that undoes a pose. */
+export function inverse(pose: PoseLike): Pose;
+/** The pose `b` in the frame of `a`. Made of the difference of the translations: no digits are lost far from the origin. */
+export function relative(a: PoseLike, b: PoseLike): Pose;
+/** A point of the body's frame, in the world. */
+export function transform(pose: PoseLike, point: Vec3Like): Vec3;
+/** A point of the world, in the body's frame. */
+export function inverseTransform(pose: PoseLike, point: Vec3Like): Vec3;
 
 export interface Aabb {
   lower: Vec3;
@@ -109,11 +119,43 @@ export interface MassProperties {
   inertia: Mat3;
 }
 
+/** The measures that a shape was made of, without its rounding, by its kind: `if (measures.kind === "box") ...size`. All
+ * are `convex`, a half-space too, but meshes, height fields and compounds. */
+export type ShapeMeasures = { readonly convex: boolean } & (
+  | { readonly kind: "sphere"; readonly radius: number; readonly center: Vec3 }
+  | {
+      readonly kind: "capsule" | "cylinder"; readonly height: number; readonly radiusBottom: number;
+      readonly radiusTop: number }
+  | { readonly kind: "box"; readonly size: Vec3 }
+  | { readonly kind: "rectangle"; readonly sizeX: number; readonly sizeZ: number }
+  | { readonly kind: "ellipsoid"; readonly radii: Vec3 }
+  /** No point that the hull was made of lies further outside than `tolerance`. */
+  | { readonly kind: "convexHull"; readonly tolerance: number }
+  /** `closed`: each edge is in two triangles, which run through it in opposite directions. */
+  | { readonly kind: "mesh"; readonly closed: boolean; readonly solid: boolean; readonly sides: Sides }
+  | {
+      readonly kind: "heightField"; readonly columns: number; readonly rows: number; readonly spacing: Vec2;
+      readonly sides: Sides }
+  /** The number of children. */
+  | { readonly kind: "compound"; readonly children: number }
+  | { readonly kind: "segment" | "triangle" | "halfSpace" | "userConvex" });
+
 /** A shape, which never changes. Made by the classes below. */
 export class Shape extends Handle {
   protected constructor();
   readonly kind: ShapeKind;
   readonly rounding: number;
+  /** The measures that the shape was made of, in constant time. */
+  measures(): ShapeMeasures;
+  /** A copy of the vertices of a convex hull or a mesh, the corners of a triangle or the ends of a segment, three numbers
+   * each. Throws `InvalidValue` for other kinds, as the next three do for kinds that have none. */
+  points(): Scalars;
+  /** A copy of a mesh's triangles, three indices each. */
+  triangles(): Uint32Array;
+  /** A copy of the heights of a height field, row by row, with NaN for holes. */
+  heights(): Scalars;
+  /** The children of a compound and their poses; each shape is a share, to be disposed of. */
+  children(): (Pose & { shape: Shape })[];
   bounds(pose?: PoseLike): Aabb;
   /** The point of a bounded convex shape furthest along `direction`, in the shape's frame. */
   support(direction: Vec3Like): Vec3;
@@ -574,6 +616,9 @@ export const draw: {
   world(world: WorldQueries, renderer: Renderer): void;
   /** A simulation: its world with sleeping bodies marked, and joints. */
   simulation(simulation: SimulationQueries, renderer: Renderer): void;
+  /** One body of a world or a simulation as the drawing of the whole has it, with its bounds. The time grows with the pairs
+   * of the last update. */
+  body(owner: WorldQueries | SimulationQueries, id: BodyId, renderer: Renderer): void;
   /** The area of a renderer that shows all of a world. */
   area(world: WorldQueries): { center: number[]; size: number };
   /** The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255. */
@@ -581,6 +626,9 @@ export const draw: {
   /** What a query did, whole or in part: what is absent is not drawn. `step` is one step of it, counted as in
    *  `explained`. */
   trace(trace: DrawnTrace, renderer: Renderer, options?: { readonly step?: number }): void;
+  /** One of the trace's spans, counted from 0: the stretch of the query's ray that meets this condition on the points of a
+   * convex shape; the one that is the trace's winner with its name and its normal. */
+  span(trace: DrawnTrace, span: number, ray: Ray, renderer: Renderer): void;
   /** Asks, draws what the question did, or one step of it (axes, iterations of GJK, expansions of EPA, cuts, counted from
    *  0 in this order), and answers. */
   explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
@@ -610,6 +658,12 @@ export interface DrawnTrace {
     readonly faceDepth: number;
     readonly found?: DrawnSupport;
     readonly polygon?: readonly DrawnSupport[];
+  }[];
+  readonly spans?: readonly {
+    readonly name: string;
+    readonly normal: ArrayLike<number>;
+    readonly enter: number;
+    readonly leave: number;
   }[];
   readonly difference?: readonly DrawnSupport[];
   readonly polytope?: readonly DrawnSupport[];
@@ -880,6 +934,8 @@ export class World extends Handle implements WorldQueries {
   moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>, velocities?: Numbers | ArrayLike<number>): void;
   setShape(id: BodyId, shape: Shape): void;
   setFilter(id: BodyId, filter: Filter): void;
+  /** Replaces the final decision on pairs of the settings; undefined allows all. */
+  setAllow(allow: ((a: BodyId, b: BodyId) => boolean) | undefined): void;
   setFast(id: BodyId, fast: boolean): void;
   /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
   setName(id: BodyId, name: string): void;
@@ -978,8 +1034,12 @@ export interface Joint {
   readonly b: BodyId;
   readonly frameA?: PoseLike;
   readonly frameB?: PoseLike;
-  /** The limits of a joint with a name: hinge and slider about and along x. `limits` come on top. */
-  readonly kind?: "fixed" | "ball" | "hinge" | "slider";
+  /** The limits of a joint with a name: hinge and slider about and along x, and `distance`, which keeps the origins of the
+   * frames from `min` to `max` apart. `limits` come on top. */
+  readonly kind?: "fixed" | "ball" | "hinge" | "slider" | "distance";
+  /** The bounds of a distance, default 0 and none, or of a slider along x, default none. */
+  readonly min?: number;
+  readonly max?: number;
   readonly limits?: readonly JointLimit[];
   readonly drives?: readonly JointDrive[];
   readonly enableCollision?: boolean;
@@ -1023,6 +1083,8 @@ export interface SimulationQueries {
   /** A joint as it was added; the limits of a `kind` among its `limits`. */
   joint(id: JointId): Joint;
   jointImpulses(id: JointId): number[];
+  /** The settings as they are now, with the gravity that was set last. */
+  settings(): SimulationSettings & { readonly gravity: Vec3 };
   report(): StepReport;
   /** Contacts, events and queries. It belongs to the simulation. */
   readonly world: WorldQueries;
@@ -1078,10 +1140,28 @@ export declare namespace plane {
   type ShapeKind =
     | "circle" | "capsule" | "box" | "segment" | "convex" | "ellipse" | "userConvex" | "halfPlane" | "polygon" | "chain"
     | "compound";
+  /** The measures of a shape by its kind, as in space. Polygons, chains and compounds are not `convex`, whatever their
+   * corners. */
+  type ShapeMeasures = { readonly convex: boolean } & (
+    | { readonly kind: "circle"; readonly radius: number }
+    | { readonly kind: "capsule"; readonly height: number; readonly radiusBottom: number; readonly radiusTop: number }
+    | { readonly kind: "box"; readonly size: Vec2 }
+    | { readonly kind: "ellipse"; readonly radii: Vec2 }
+    /** `closed`: it goes on from its last point to the first. */
+    | { readonly kind: "chain"; readonly closed: boolean; readonly sides: Sides }
+    | { readonly kind: "compound"; readonly children: number }
+    | { readonly kind: "segment" | "convex" | "userConvex" | "halfPlane" | "polygon" });
   class Shape extends Handle {
     protected constructor();
     readonly kind: ShapeKind;
     readonly rounding: number;
+    /** The measures that the shape was made of, in constant time. */
+    measures(): ShapeMeasures;
+    /** A copy of the vertices of a convex polygon, the corners of a polygon or a chain without those on straight lines, or
+     * the ends of a segment, two numbers each. Throws `InvalidValue` for other kinds, as `children` does. */
+    points(): Scalars;
+    /** The children of a compound and their poses; each shape is a share, to be disposed of. */
+    children(): (Pose & { shape: Shape })[];
     bounds(pose?: PoseLike): { lower: Vec2; upper: Vec2 };
     /** Area, centre and inertia at density one, about `center`; area 0 of a shape without one. */
     massProperties(): { area: number; center: Vec2; inertia: number };
@@ -1316,6 +1396,7 @@ export declare namespace plane {
     moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>, velocities?: Numbers | ArrayLike<number>): void;
     setShape(id: BodyId, shape: Shape): void;
     setFilter(id: BodyId, filter: Filter): void;
+    setAllow(allow: ((a: BodyId, b: BodyId) => boolean) | undefined): void;
     setFast(id: BodyId, fast: boolean): void;
     /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
     setName(id: BodyId, name: string): void;
@@ -1361,8 +1442,11 @@ export declare namespace plane {
     readonly b: BodyId;
     readonly frameA?: PoseLike;
     readonly frameB?: PoseLike;
-    /** The limits of a joint with a name; a ball is a hinge, and a slider goes along x. `limits` come on top. */
-    readonly kind?: "fixed" | "ball" | "hinge" | "slider";
+    /** The limits of a joint with a name; a ball is a hinge, a slider goes along x, and `distance` keeps the origins of the
+     * frames from `min` to `max` apart. `limits` come on top. */
+    readonly kind?: "fixed" | "ball" | "hinge" | "slider" | "distance";
+    readonly min?: number;
+    readonly max?: number;
     readonly limits?: readonly JointLimit[];
     readonly drives?: readonly JointDrive[];
     readonly enableCollision?: boolean;
@@ -1405,6 +1489,8 @@ export declare namespace plane {
     /** A joint as it was added; the limits of a `kind` among its `limits`. */
     joint(id: JointId): Joint;
     jointImpulses(id: JointId): number[];
+    /** The settings as they are now, with the gravity that was set last. */
+    settings(): SimulationSettings & { readonly gravity: Vec2 };
     report(): StepReport;
     /** Contacts, events and queries. It belongs to the simulation. */
     readonly world: WorldQueries;
@@ -1464,6 +1550,12 @@ export declare namespace plane {
   function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
   function castAll(a: Moving, b: Moving, options?: CastOptions): CastHit[];
   function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
+  /** Poses of the plane, as in space; angles of answers are from -pi to pi. */
+  function compose(a: PoseLike, b: PoseLike): Pose;
+  function inverse(pose: PoseLike): Pose;
+  function relative(a: PoseLike, b: PoseLike): Pose;
+  function transform(pose: PoseLike, point: ArrayLike<number>): Vec2;
+  function inverseTransform(pose: PoseLike, point: ArrayLike<number>): Vec2;
   /** A shape of the plane as a question of the protocol has it. Throws `InvalidValue` for a UserConvex. */
   function protocolShape(shape: Shape): ProtocolShape;
   /** The shape that a question of the protocol describes. graze/double alone. */
@@ -1489,9 +1581,11 @@ export declare namespace plane {
       joint: { readonly frameA?: PoseLike; readonly frameB?: PoseLike }, poseA: PoseLike, poseB: PoseLike,
       renderer: Renderer): void;
     trace(trace: DrawnTrace, renderer: Renderer, options?: { readonly step?: number }): void;
+    span(trace: DrawnTrace, span: number, ray: Ray, renderer: Renderer): void;
     explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
     world(world: WorldQueries, renderer: Renderer): void;
     simulation(simulation: SimulationQueries, renderer: Renderer): void;
+    body(owner: WorldQueries | SimulationQueries, id: BodyId, renderer: Renderer): void;
     /** The centre and the size of all bounded bodies. */
     area(world: WorldQueries): { center: number[]; size: number };
   };

@@ -178,6 +178,176 @@ export const checks = [
     throws(() => new graze.Mesh([0, 0], [0, 1, 2]), "mesh.points: expected a multiple of 3 numbers, got 2");
   }],
 
+  ["a shape tells what it was made of", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries]) {
+      const { memoryInUse, InvalidValue } = entry;
+      const points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+      const triangles = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+      const heights = [0, 0.25, 0, null, 0.5, 0.25];
+      const rows = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
+      const made = [
+        [new entry.Sphere(0.5, [1, 2, 3]), { kind: "sphere", convex: true, radius: 0.5, center: [1, 2, 3] }],
+        [new entry.Capsule(1, 0.25, 0.5), { kind: "capsule", convex: true, height: 1, radiusBottom: 0.25, radiusTop: 0.5 }],
+        [new entry.Box([1, 2, 3]).rounded(0.25), { kind: "box", convex: true, size: [1, 2, 3] }],
+        [new entry.Rectangle(1, 2), { kind: "rectangle", convex: true, sizeX: 1, sizeZ: 2 }],
+        [new entry.Cylinder(2, 0.5, 0), { kind: "cylinder", convex: true, height: 2, radiusBottom: 0.5, radiusTop: 0 }],
+        [new entry.Ellipsoid([1, 2, 3]), { kind: "ellipsoid", convex: true, radii: [1, 2, 3] }],
+        [new entry.Segment(...rows.slice(1)), { kind: "segment", convex: true }],
+        [new entry.Triangle(...rows), { kind: "triangle", convex: true }],
+        [new entry.HalfSpace(), { kind: "halfSpace", convex: true }],
+        [new entry.UserConvex((d) => d.map(Math.sign)), { kind: "userConvex", convex: true }],
+        [new entry.Mesh(points, triangles, { solid: true }), { kind: "mesh", convex: false, closed: true, solid: true, sides: "both" }],
+        [new entry.Mesh(points, triangles.slice(0, 9), { sides: "front" }),
+         { kind: "mesh", convex: false, closed: false, solid: false, sides: "front" }],
+        [new entry.HeightField(heights, 3, 2, { spacing: [1, 0.5], sides: "front" }),
+         { kind: "heightField", convex: false, columns: 3, rows: 2, spacing: [1, 0.5], sides: "front" }]];
+      for (const [shape, measures] of made) equal(shape.measures(), measures, "measures");
+      const shapeOf = (kind) => made.find(([, measures]) => measures.kind === kind)[0];
+      const hull = new entry.ConvexHull(points);
+      const { tolerance, ...rest } = hull.measures();
+      ok(rest.kind === "convexHull" && tolerance > 0 && tolerance < 1e-3, "a tolerance");
+      equal([hull.points().length, [...shapeOf("segment").points()], [...shapeOf("triangle").points()]],
+            [12, rows.slice(1).flat(), rows.flat()], "points");
+      const mesh = shapeOf("mesh");
+      equal([[...mesh.points()], [...mesh.triangles()]], [points, triangles], "a mesh");
+      const again = new entry.Mesh(mesh.points(), mesh.triangles(), { solid: true });
+      equal(again.findings(), mesh.findings(), "a mesh of what it was made of");
+      const field = shapeOf("heightField").heights();
+      equal([...field].map((h) => (Number.isNaN(h) ? null : h)), heights, "heights");
+      ok(field instanceof (entry === double ? Float64Array : Float32Array), "in the entry's numbers");
+      const box = shapeOf("box");
+      const both = new entry.Compound([{ shape: box, translation: [1, 2, 3] }, { shape: again, rotation: [0, 0, 1, 0] }]);
+      equal(both.measures(), { kind: "compound", convex: false, children: 2 }, "a compound");
+      const before = memoryInUse();
+      const children = both.children();
+      equal(children.map(({ shape, ...at }) => [shape.kind, shape.rounding, at]), [
+        ["box", 0.25, { translation: [1, 2, 3], rotation: [0, 0, 0, 1] }],
+        ["mesh", 0, { translation: [0, 0, 0], rotation: [0, 0, 1, 0] }]], "children");
+      for (const { shape } of children) shape.dispose();
+      equal(memoryInUse(), before, "memory of shares");
+      const refused = (act, message) => throws(act, message, InvalidValue);
+      refused(() => box.points(), "shape: expected a convex hull, a mesh, a triangle or a segment, got box");
+      refused(() => box.triangles(), "mesh: expected a mesh, got box");
+      refused(() => mesh.heights(), "field: expected a height field, got mesh");
+      refused(() => box.children(), "compound: expected a compound, got box");
+      for (const [shape] of made) shape.dispose();
+      refused(() => box.measures(), "shape: expected a live object, got a disposed one");
+      for (const shape of [hull, again, both]) shape.dispose();
+      if (entry.plane === undefined) continue;
+
+      const { plane } = entry;
+      const corners = [0, 0, 1, 0, 0, 1];
+      const flat = [
+        [new plane.Circle(0.5), { kind: "circle", convex: true, radius: 0.5 }],
+        [new plane.Capsule(1, 0.25, 0.5), { kind: "capsule", convex: true, height: 1, radiusBottom: 0.25, radiusTop: 0.5 }],
+        [new plane.Box([1, 2]), { kind: "box", convex: true, size: [1, 2] }],
+        [new plane.Ellipse([1, 2]), { kind: "ellipse", convex: true, radii: [1, 2] }],
+        [new plane.Segment([0, 0], [1, 0]), { kind: "segment", convex: true }],
+        [new plane.Convex(corners), { kind: "convex", convex: true }],
+        [new plane.UserConvex((d) => d.map(Math.sign)), { kind: "userConvex", convex: true }],
+        [new plane.HalfPlane(), { kind: "halfPlane", convex: true }],
+        [new plane.Polygon(corners), { kind: "polygon", convex: false }],
+        [new plane.Chain(corners, { closed: true }), { kind: "chain", convex: false, closed: true, sides: "both" }],
+        [new plane.Chain(corners, { sides: "front" }), { kind: "chain", convex: false, closed: false, sides: "front" }]];
+      for (const [shape, measures] of flat) equal(shape.measures(), measures, "measures in the plane");
+      for (const place of [5, 8, 9, 10]) equal([...flat[place][0].points()], corners, "corners");
+      const circle = flat[0][0];
+      const two = new plane.Compound([{ shape: circle, translation: [1, 2], rotation: 0.5 }]);
+      const [child] = two.children();
+      equal([two.measures().children, child.shape.kind, child.translation], [1, "circle", [1, 2]], "a child");
+      close(child.rotation, 0.5, 1e-6, "its rotation");
+      refused(() => circle.points(), "shape: expected a segment, a convex polygon, a polygon or a chain, got circle");
+      refused(() => circle.children(), "compound: expected a compound, got circle");
+      for (const shape of [child.shape, two, ...flat.map(([shape]) => shape)]) shape.dispose();
+    }
+  }],
+
+  // The numbers are those of compose, relative, inverse, transform and inverse_transform of C++.
+  ["poses are composed and applied with the bits of C++", ({ graze, double, queries }) => {
+    const a = { translation: [1, -2.5, 3.25], rotation: [0.1, -0.3, 0.7, 0.64] };
+    const b = { translation: [-7.125, 0.3, 11], rotation: [0.5, 0.4, -0.2, 0.74] };
+    const point = [0.1, 20.7, -3.3];
+    const pose = (translation, rotation) => ({ translation, rotation });
+    const inDouble = {
+      composed: pose([-0.8308, -14.484500000000001, 8.2289], [0.17400000000000004, 0.404, 0.5800000000000001, 0.6836]),
+      seen: pose([7.701799999999998, 5.5045, 6.648100000000002],
+                 [0.46599999999999997, 0.10799999999999998, -0.8360000000000001, 0.26360000000000006]),
+      undone: pose([0.547, 1.905, -3.726], [-0.1, 0.3, -0.7, 0.64]),
+      there: [-17.999999999999996, -0.6079999999999934, -5.3819999999999979],
+      back: [16.107, 2.7730000000000032, -17.733999999999998],
+      flat: [[-4.642765890573288, -6.860598365383202], [-4.410533247420934, 7.375826833202807],
+             [-12.258821907091754, 13.396655045512679], [14.257492375358392, 18.324134663514055]] };
+    const inFloat = {
+      composed: pose([-0.83080101013183594, -14.484498977661133, 8.2288990020751953],
+                     [0.17399999499320984, 0.40399998426437378, 0.57999998331069946, 0.68360000848770142]),
+      seen: pose([7.7017998695373535, 5.5045008659362793, 6.6481003761291504],
+                 [0.46599999070167542, 0.10800004005432129, -0.83600002527236938, 0.26359999179840088]),
+      undone: pose([0.54699993133544922, 1.9050000905990601, -3.7259998321533203],
+                   [-0.10000000149011612, 0.30000001192092896, -0.69999998807907104, 0.63999998569488525]),
+      there: [-18, -0.608001708984375, -5.3820009231567383],
+      back: [16.107000350952148, 2.7730026245117188, -17.734001159667969],
+      flat: [[-4.642765998840332, -6.860598087310791], [-4.4105339050292969, 7.3758268356323242],
+             [-12.258821487426758, 13.396656036376953], [14.257492065429688, 18.324134826660156]] };
+    for (const [entry, wanted] of [[graze, inFloat], [double, inDouble], [queries, inFloat]]) {
+      const { compose, inverse, relative, transform, inverseTransform, InvalidValue } = entry;
+      equal(compose(a, b), wanted.composed, "composed");
+      equal(relative(a, b), wanted.seen, "seen from a");
+      equal(inverse(a), wanted.undone, "undone");
+      equal([transform(a, point), inverseTransform(a, point)], [wanted.there, wanted.back], "points");
+      // A rotation of exactly unit length and a place in a few bits: nothing is rounded.
+      const turn = { translation: [4, 5, 6], rotation: [0, 0, 1, 0] };
+      equal(compose(turn, { translation: [1, 2, 3] }), { translation: [3, 3, 9], rotation: [0, 0, 1, 0] }, "half a turn");
+      equal(transform(turn, inverseTransform(turn, [1, 2, 3])), [1, 2, 3], "there and back");
+      equal(inverse(), { translation: [0, 0, 0], rotation: [0, 0, 0, 1] }, "of no pose");
+      const refused = (act, message) => throws(act, message, InvalidValue);
+      refused(() => compose(a, { rotation: [0, 0, 0, 2] }), "b.rotation: expected a quaternion of unit length, got [0, 0, 0, 2]");
+      refused(() => inverse({ rotation: [0, NaN, 0, 1] }), "pose.rotation: expected a quaternion of unit length, got [0, NaN, 0, 1]");
+      refused(() => relative({ rotaton: [0, 0, 0, 1] }, b), "a: expected translation, rotation, got rotaton");
+      refused(() => transform(a, [1, 2]), "point: expected 3 numbers, got 2");
+      refused(() => inverseTransform(a, [1, 2, "3"]), 'point[2]: expected a number, got "3"');
+      if (entry.plane === undefined) continue;
+
+      const { plane } = entry;
+      const c = { translation: [1, -2.5], rotation: 0.7 };
+      const d = { translation: [-7.125, 0.3], rotation: -2.2 };
+      const [composed, seen] = [plane.compose(c, d), plane.relative(c, d)];
+      const points = [plane.transform(c, point.slice(0, 2)), plane.inverseTransform(c, point.slice(0, 2))];
+      equal([composed.translation, seen.translation, ...points], wanted.flat, "places of the plane");
+      close([composed.rotation, seen.rotation], [-1.5, -2.9], 1e-6, "angles");
+      const home = plane.compose(plane.inverse(c), c);
+      close([home.translation, home.rotation], [0, 0, 0], 1e-6, "and back");
+      refused(() => plane.inverse({ rotation: [1, 0] }), "pose.rotation: expected a finite number, got Array");
+    }
+  }],
+
+  ["the last decision on pairs is replaced", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of [entry, entry.plane].filter(Boolean)) {
+        const held = entry.memoryInUse();
+        const box = new library.Box(library === entry ? [1, 1, 1] : [1, 1]);
+        let asked = 0;
+        const world = new library.World({ allow: () => { asked += 1; return false; } });
+        const [a, b] = [world.add({ shape: box }), world.add({ shape: box })];
+        const pairs = () => {
+          for (const id of [a, b]) world.move(id, {});
+          world.update();
+          return world.contacts().length;
+        };
+        equal([pairs(), asked > 0], [0, true], "none is allowed");
+        world.setAllow((first, second) => first.index !== second.index);
+        asked = 0;
+        equal([pairs(), asked], [1, 0], "the other decides");
+        throws(() => world.setAllow("no"), 'allow: expected a function, got "no"', entry.InvalidValue);
+        // Whoever decides may not have itself replaced in the middle of it, and nothing is lost by that.
+        world.setAllow(() => { world.setAllow(undefined); return true; });
+        throws(pairs, /in use: another call changes it at this moment$/);
+        world.setAllow(undefined);
+        equal(pairs(), 1, "all are allowed");
+        for (const thing of [world, box]) thing.dispose();
+        ok(entry.memoryInUse() - held < 4096, "memory");
+      }
+  }],
+
   ["a convex shape of one's own", ({ graze }) => {
     let calls = 0;
     const cube = new graze.UserConvex((d) => {
@@ -1064,6 +1234,153 @@ export const checks = [
     }
   }],
 
+  ["sliders and distances have bounds, and a simulation its settings", ({ graze, double }) => {
+    for (const entry of [graze, double])
+      for (const library of [entry, entry.plane]) {
+        const n = library === entry ? 3 : 2;
+        const cut = (...v) => v.slice(0, n);
+        const { InvalidValue } = entry;
+        const settings = { gravity: cut(0, -10, 0), subSteps: 8, sleep: false, longestStep: 0.5 };
+        const simulation = new library.Simulation(settings);
+        const { gravity, subSteps, sleep, longestStep, continuous, ...rest } = simulation.settings();
+        equal([gravity, subSteps, sleep, longestStep, continuous, Object.keys(rest)],
+              [cut(0, -10, 0), 8, false, 0.5, true, ["mostSubSteps"]], "settings");
+        const same = new library.Simulation(simulation.settings());
+        equal(same.settings(), simulation.settings(), "settings of the settings");
+        simulation.setGravity(cut(0, -5, 0));
+        equal(simulation.settings().gravity, cut(0, -5, 0), "gravity as it is now");
+
+        const ball = n === 3 ? new library.Sphere(0.25) : new library.Circle(0.25);
+        const post = simulation.add({ shape: ball, fixed: true });
+        const bob = simulation.add({ shape: ball, translation: cut(0, -1, 0) }, { mass: 1 });
+        const between = { a: post, b: bob };
+        const limits = (joint) => {
+          const id = simulation.addJoint(joint);
+          const found = simulation.joint(id).limits.map(({ space, axes, min, max }) => [space, axes.join(""), min, max]);
+          simulation.removeJoint(id);
+          return found;
+        };
+        const own = { space: "linear", axes: ["x"], min: -1, max: 1 };
+        const apart = limits({ ...between, kind: "distance", min: 0.5, max: 2, limits: [own] });
+        equal([apart[0][0], ...apart[0].slice(2), apart[1]], ["linear", 0.5, 2, ["linear", "x", -1, 1]], "a distance");
+        equal(limits({ ...between, kind: "distance", max: 2 })[0].slice(2), [0, 2], "no least distance");
+        const free = limits({ ...between, kind: "slider" });
+        const along = limits({ ...between, kind: "slider", max: 3 });
+        equal(along.length, free.length + 1, "one more limit");
+        ok(along.some(([space, axes, min, max]) => space === "linear" && axes === "x" && min === -Infinity && max === 3), "along x");
+        const refused = (joint, message) => throws(() => simulation.addJoint({ ...between, ...joint }), message, InvalidValue);
+        refused({ kind: "hinge", max: 3 }, "joint.max: expected none of the kind hinge, got 3");
+        refused({ max: 3 }, "joint.kind: expected slider or distance, whose bounds are min and max, got undefined");
+        refused({ kind: "rope" }, 'joint.kind: expected one of fixed, ball, hinge, slider, distance, got "rope"');
+        refused({ kind: "distance", min: 2, max: 1 }, /max/);
+        refused({ kind: "distance", min: "2" }, /expected a number, got "2"/);
+
+        // The bob falls to the end of its rope, and no further.
+        simulation.addJoint({ ...between, kind: "distance", max: 1.5 });
+        for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
+        close(simulation.pose(bob).translation, cut(0, -1.5, 0), 0.02, "at the end of its rope");
+        for (const thing of [simulation, same, ball]) thing.dispose();
+      }
+  }],
+
+  ["forces, torques, ways of kinematic bodies, materials and sleep", ({ graze, double }) => {
+    for (const entry of [graze, double])
+      for (const library of [entry, entry.plane]) {
+        const n = library === entry ? 3 : 2;
+        const cut = (...v) => v.slice(0, n);
+        const turn = (z) => (n === 3 ? [0, 0, z] : z);
+        const box = new library.Box(cut(1, 1, 1));
+        const simulation = new library.Simulation({ gravity: cut(0, 0, 0) });
+        const crate = simulation.add({ shape: box }, { mass: 2 });
+        const inertia = 2 / 6; // of a cube and of a square alike
+        // A force of one step: v = F dt / m, and a torque: w = T dt / I.
+        simulation.applyForce(crate, cut(12, 0, 0));
+        simulation.applyTorque(crate, turn(6));
+        simulation.step(1 / 16);
+        const { linear, angular } = simulation.motion(crate);
+        close([linear, angular], [cut(12 / 16 / 2, 0, 0), turn(6 / 16 / inertia)], 1e-4, "a force and a torque");
+        simulation.step(1 / 16);
+        close(simulation.motion(crate).linear, cut(12 / 16 / 2, 0, 0), 1e-4, "which last for one step");
+
+        const lift = simulation.add({ shape: box, translation: cut(0, -9, 0) }, { kinematic: true });
+        const goal = { translation: cut(0, -8.5, 0) };
+        simulation.moveTo(lift, goal, 1 / 16);
+        simulation.step(1 / 16);
+        close([simulation.pose(lift).translation, simulation.motion(lift).linear], [goal.translation, cut(0, 8, 0)], 1e-4, "a lift");
+
+        // On a belt a crate goes with it; without friction it stays.
+        const belt = simulation.add({ shape: new library.Box(cut(40, 1, 40)), translation: cut(0, -20.5, 0), fixed: true });
+        const rider = simulation.add({ shape: box, translation: cut(0, -19.5, 0) }, { mass: 1 });
+        simulation.setGravity(cut(0, -10, 0));
+        const ridden = (material) => {
+          simulation.setMaterial(belt, material);
+          simulation.setPose(rider, { translation: cut(0, -19.5, 0) });
+          simulation.setVelocity(rider, { linear: cut(0, 0, 0) });
+          for (let i = 0; i < 30; ++i) simulation.step(1 / 60);
+          return simulation.pose(rider).translation[0];
+        };
+        const surfaceVelocity = cut(1, 0, 0);
+        ok(ridden({ staticFriction: 1, dynamicFriction: 1, surfaceVelocity }) > 0.3, "a belt");
+        ok(Math.abs(ridden({ staticFriction: 0, dynamicFriction: 0, frictionCombine: "minimum", surfaceVelocity })) < 0.01, "a smooth one");
+        simulation.setMaterial(belt, {});
+        for (let i = 0; i < 300 && !simulation.asleep(rider); ++i) simulation.step(1 / 60);
+        ok(simulation.asleep(rider), "asleep");
+        simulation.wake(rider);
+        ok(!simulation.asleep(rider), "awake");
+        simulation.dispose(), box.dispose();
+      }
+  }],
+
+  ["shapes and ways of bodies of a world", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries])
+      for (const library of [entry, entry.plane].filter(Boolean)) {
+        const n = library === entry ? 3 : 2;
+        const cut = (...v) => v.slice(0, n);
+        const [small, large] = [new library.Box(cut(1, 1, 1)), new library.Box(cut(3, 3, 3))];
+        const world = new library.World();
+        const wall = world.add({ shape: small, fixed: true });
+        const flyer = world.add({ shape: small, translation: cut(-4, 0, 0), linear: cut(8, 0, 0) });
+        world.update();
+        equal([world.contacts().length, world.memory() > 0], [0, true], "apart");
+        world.findImpacts(1);
+        equal(world.impacts(), [], "none is fast");
+        world.setFast(flyer, true);
+        world.findImpacts(1);
+        const [{ a, b, hit }, ...others] = world.impacts();
+        equal([[a.index, b.index].sort(), others.length], [[wall.index, flyer.index], 0], "an impact");
+        close(hit.t, 3 / 8, 1e-5, "its time");
+        world.setShape(wall, large);
+        world.setShape(flyer, large.rounded(1));
+        world.move(flyer, { translation: cut(-3.5, 0, 0) });
+        world.update();
+        equal(world.contacts().length, 1, "with larger shapes they touch");
+        for (const thing of [world, small, large]) thing.dispose();
+      }
+  }],
+
+  ["what questions of the plane do, and margins and areas of it", ({ graze, double }) => {
+    for (const { plane } of [graze, double]) {
+      const box = new plane.Box([2, 2]).rounded(0.25);
+      equal(box.rounding, 0.25, "rounding");
+      ok(plane.contactMargin(box, box) > 0, "a margin");
+      const [there, far] = [{ translation: [1, 0.5], rotation: 0.5 }, { shape: box, translation: [9, 0], linear: [-10, 0] }];
+      const asked = [
+        ["overlap", box, {}, box, there], ["distance", box, {}, box, there], ["contacts", box, {}, box, there, 0.5],
+        ["closest", box, there, [4, 5]], ["raycast", box, {}, { origin: [-5, 0], direction: [1, 0] }], ["cast", { shape: box }, far]];
+      for (const [name, ...question] of asked) {
+        const { answer, trace } = plane.traced[name](...question);
+        equal(answer, plane[name](...question), name);
+        ok(trace.method !== "" || trace.pieces > 0, `what ${name} did`);
+      }
+      const world = new plane.World();
+      for (const x of [-3, 5]) world.add({ shape: box, translation: [x, 1] });
+      const { center, size } = plane.draw.area(world);
+      close(center, [1, 1, 0], 1e-5, "the middle of a world");
+      ok(size >= 2 * (4 + 1.25) - 1e-5, "its size");
+      world.dispose(), box.dispose();
+    }
+  }],
+
   ["the plane", ({ double: graze }) => {
     const { plane } = graze;
     const next = random(9);
@@ -1340,6 +1657,37 @@ export const checks = [
       const joint = drawing(() => library.draw.joint(tied, {}, { translation: cut([4, 0, 0]) }, renderer));
       equal(joint.filter((d) => d.kind === "line").map((d) => d.places),
         [[[0, 0, 0], [1, 0, 0]], [[4, 0, 0], [3, 0, 0]], [[1, 0, 0], [3, 0, 0]]], "a joint by itself");
+    }
+
+    // One body of a world and of a simulation, and one span of a ray.
+    for (const [library, cut] of [[graze, (v) => v], [graze.plane, flat]]) {
+      const one = new library.Box(cut([1, 1, 1]));
+      const [here, there] = [new library.World(), new library.Simulation()];
+      const places = [[0, 0, 0], [5, 0, 0]].map(cut);
+      const ids = [here, there].map((owner) => places.map((translation) => owner.add({ shape: one, translation })));
+      here.update();
+      const body = (owner, id) => drawing(() => library.draw.body(owner, id, renderer));
+      const whole = drawing(() => library.draw.world(here, renderer)).filter((d) => d.layer !== "tree");
+      const alone = ids[0].map((id) => body(here, id));
+      equal(alone.flat().length, whole.length, "bodies one by one");
+      ok(alone[1].length > 0 && alone[1].every((d) => d.places.every((p) => p[0] > 4)), "the second body");
+      ok(body(there, ids[1][0]).length > 0 && body(there.world, ids[1][1]).length > 0, "bodies of a simulation");
+      here.remove(ids[0][1]);
+      throws(() => body(here, ids[0][1]), /^id: expected a body of this world/, graze.InvalidValue);
+      throws(() => body({}, ids[0][0]), "world: expected a World, got Object", graze.InvalidValue);
+      const ray = { origin: cut([-3, 0.25, 0]), direction: cut([1, 0, 0]) };
+      const { trace } = library.traced.raycast(one, {}, ray);
+      const spans = trace.spans.map((_, i) => drawing(() => library.draw.span(trace, i, ray, renderer)));
+      ok(spans.length > 0 && spans.every((d) => d.length > 0 && kinds(d, "layer").join() === "trace"), "spans");
+      const winner = trace.spans.findIndex(({ name }) => name === trace.winner);
+      equal(spans.map((d) => d.some(({ kind }) => kind === "text")), spans.map((_, i) => i === winner), "the winner has its name");
+      const own = { spans: [{ name: "mine", normal: cut([1, 0, 0]), enter: 1, leave: 2 }] };
+      ok(drawing(() => library.draw.span(own, 0, ray, renderer)).flatMap((d) => d.places).some((p) => p[0] === -2), "one's own span");
+      throws(() => library.draw.span(trace, 99, ray, renderer), /^span/, graze.InvalidValue);
+      throws(() => library.draw.span({ spans: [{ name: "x", normal: cut([1, 0, 0]) }] }, 0, ray, renderer),
+             "spans[0].enter: expected numbers, got undefined", graze.InvalidValue);
+      throws(() => library.draw.span(trace, 0, { ...ray, direction: undefined }, renderer), /^ray.direction: expected/, graze.InvalidValue);
+      for (const thing of [here, there, one]) thing.dispose();
     }
 
     const outline = drawing(() => graze.plane.draw.shape(new graze.plane.Box([2, 1]), {}, renderer));

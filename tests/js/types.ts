@@ -3,11 +3,11 @@
 
 import {
   advance, alongPlanes, angularVelocity, applyImpulse, Box, BroadPhase, Capsule, captureHead, cast, castAll, castBatch, closest,
-  closestBatch, compactContactsBatch, Compound, contactMargin, contacts, contactsBatch, ConvexHull, Cylinder, distance,
+  closestBatch, compactContactsBatch, compose, Compound, contactMargin, contacts, contactsBatch, ConvexHull, Cylinder, distance,
   distanceBatch, distanceUpTo, draw, Ellipsoid, explain, featureCorners, freeBody, HalfSpace, Handle, HeightField, hullLayers,
-  init, InvalidValue, mayOverlap, memoryInUse, Mesh, meshOfFile, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch,
+  init, InvalidValue, inverse, inverseTransform, mayOverlap, memoryInUse, Mesh, meshOfFile, nearPieces, nearPiecesBatch, Numbers, overlap, overlapBatch,
   PairChanges, passOn, plane, planeScene, poseAt, protocolShape, query, raycast, raycastAll, raycastAny, raycastBatch, Rectangle,
-  replay, response, Segment, Shape, shapeOfProtocol, Simulation, Sphere, State, tessellate, traced, Triangle, turned, UserConvex, version, within, World,
+  relative, replay, response, Segment, Shape, shapeOfProtocol, Simulation, Sphere, State, tessellate, traced, transform, Triangle, turned, UserConvex, version, within, World,
 } from "graze/double";
 import type {
   Aabb, Batch, Blow, Bodies, Body, BodyId, BroadPhaseKind, Capture, CastHit, CastOptions, Certainty, Child, Closest, Combine,
@@ -15,7 +15,7 @@ import type {
   DrawnElement, DrawnSupport, DrawnTrace, Dynamics, Explained, Filter, FreeBody, HullLayer, Impact, Joint, JointDrive, JointId,
   JointLimit, Manifold, MassProperties, Mat3, Material, MeshFindings, ModuleSource, Motion, Moving, PairContacts, PassedOn,
   PassOnOptions, PieceDistance, Places, PlaneScene, Points, Polygons, Pose, PoseLike, ProtocolShape, Quat, QueryFilter, Ray,
-  RayHit, RayOptions, Renderer, ReplayReport, Response, Rows, Scalars, ShapeKind, Sides, SimulationQueries, SimulationSettings, SolverPoint,
+  RayHit, RayOptions, Renderer, ReplayReport, Response, Rows, Scalars, ShapeKind, ShapeMeasures, Sides, SimulationQueries, SimulationSettings, SolverPoint,
   StepReport, StruckBody, StruckContact, SupportTrace, Trace, TraceAxis, TraceCut, Traced, TraceEpa, TraceGjk, TraceSpan,
   TraceStep, TraceSupport, Vec2, Vec3, Vec3Like, WorldManifold, WorldPair, WorldQueries, WorldSettings,
 } from "graze/double";
@@ -73,6 +73,16 @@ const inertia: Mat3 = mass.inertia;
 const bounds: Aabb = box.bounds();
 const upper: Vec3 = bounds.upper;
 expect(findings.triangles === 4 && inertia[0][0] > 0 && upper[1] >= 1, "what is known of shapes");
+const made: ShapeMeasures = box.measures();
+const size: Vec3 | null = made.kind === "box" ? made.size : null;
+// @ts-expect-error a box has no radius
+expect(made.kind !== "box" || made.radius === undefined, "a box");
+const cornersOf: Scalars = mesh.points();
+const trianglesOf: Uint32Array = mesh.triangles();
+const parted = kept(new Compound([child])).children().map(({ shape, translation }) => [kept(shape).kind, translation[1]]);
+const heightsOf: Scalars = kept(new HeightField([0, 0, 0, 0], 2, 2)).heights();
+expect(size?.[1] === 2 && cornersOf.length + trianglesOf.length + heightsOf.length === 28, "what shapes are made of");
+expect(parted.join() === "sphere,1", "children");
 // @ts-expect-error a size has three numbers
 refused(() => new Box(2));
 // @ts-expect-error a shape is made by one of its classes
@@ -82,6 +92,9 @@ refused(() => new Shape());
 const here: PoseLike = {};
 const there: Pose = turned([1.4, 0, 0], [0, 1, 0], 0.5);
 const rotation: Quat = there.rotation;
+const seen: Pose = relative(there, compose(there, { translation: [0, 1, 0] }));
+const back: Vec3 = inverseTransform(there, transform(there, [1, 2, 3]));
+expect(Math.abs(seen.translation[1] - 1) + Math.abs(back[2] - 3) < 1e-9 && inverse(there).translation.length === 3, "poses");
 const touch: boolean = overlap(box, here, ball, there) && mayOverlap(box, here, ball, there) && within(box, here, ball, there, 1);
 const apart: Distance = distance(box, here, ball, there);
 const certainty: Certainty = apart.certainty;
@@ -176,6 +189,7 @@ const settings: WorldSettings = { margin: 0.1, pointsPerPair: 4, allow: (a: Body
 const world = kept(new World(settings));
 const ground: BodyId = world.add({ shape: floor, fixed: true });
 const resting: BodyId = world.add(body);
+world.setAllow((a: BodyId, b: BodyId) => a.index !== b.index);
 world.update();
 const asked: WorldQueries = world;
 const pairs: WorldPair[] = asked.contacts();
@@ -227,11 +241,16 @@ simulation.step(1 / 60);
 const report: StepReport = simulation.report();
 expect(report.awake === 2 && simulation.jointImpulses(id).length > 0, "a step");
 const known: Joint = simulation.joint(given(simulation.joints()[0], "a joint"));
+const set: SimulationSettings = simulation.settings();
+const pull: Vec3 = simulation.settings().gravity;
+expect(set.sleep === true && pull[1] === -10, "settings");
 const hash: bigint = simulation.stateHash();
 const subSteps: number = simulation.subSteps(joint.a);
 const spin: Vec3 = simulation.angularMomentum(joint.a);
 expect(known.limits?.length === 1 && hash >= 0n && subSteps > 0 && spin.length === 3, "what is known of a simulation");
 simulation.restore(state);
+const rope: Joint = { a: joint.a, b: joint.b, kind: "distance", max: 3 };
+simulation.removeJoint(simulation.addJoint(rope));
 const played: ReplayReport = replay(parts.reduce((all, bytes) => new Uint8Array([...all, ...bytes])), (world, _, __, simulation: SimulationQueries | plane.SimulationQueries | null) => {
   const energy: number | undefined = simulation?.report().kineticEnergy, { filter } = world.body(world.bodyAt(0)!);
   return [energy, filter.mask];
@@ -245,6 +264,9 @@ const renderer: Renderer = { layers: [layer, "shapes", "distances"], line: (_fro
 const drawn: DrawnContact = { a: [0, 0, 0], b: [0, 1, 0] };
 draw.contacts({ normal: [0, 1, 0], points: [drawn] }, renderer);
 draw.shape(box, here, renderer);
+draw.body(world, resting, renderer);
+const spanned: DrawnTrace = traced.raycast(box, here, ray).trace;
+draw.span(spanned, 0, ray, renderer);
 const asking: Explained = draw.explained(renderer);
 expect(asking.overlap(box, here, ball, there) && meanings.length > 0 && draw.color("a").length === 3, "lines");
 const supported: DrawnSupport = { a: [0, 0, 0], b: [0, 1, 0] };
@@ -263,7 +285,16 @@ const planeKinds: plane.ShapeKind[] = [
   kept(new plane.Compound([planeChild])), kept(new plane.UserConvex((direction: Vec2) => direction.map(Math.sign))),
 ].map((shape: plane.Shape) => shape.kind);
 expect(planeKinds.length === 9, "kinds of the plane");
+const planeMade: plane.ShapeMeasures = square.measures();
+const planeSize: Vec2 | null = planeMade.kind === "box" ? planeMade.size : null;
+const planeParts = kept(new plane.Compound([planeChild])).children().map(({ shape, rotation }) => [kept(shape).kind, rotation]);
+expect(planeSize?.[0] === 2 && planeParts.join() === "circle,0", "what shapes of the plane are made of");
+const planeCorners: Scalars = kept(new plane.Polygon(outline)).points();
+expect(planeCorners.length === 6, "corners");
 const beside: plane.Pose = { translation: [1.4, 0], rotation: 0.5 };
+const planeSeen: plane.Pose = plane.relative(beside, plane.compose(beside, plane.inverse(beside)));
+const planeBack: Vec2 = plane.inverseTransform(beside, plane.transform(beside, [1, 2]));
+expect(Math.abs(planeSeen.rotation + 0.5) + Math.abs(planeBack[1] - 2) < 1e-9, "poses of the plane");
 const planeApart: plane.Distance = plane.distance(square, {}, disk, beside);
 const planeFound: plane.Contacts = plane.contacts(square, {}, disk, beside, 0, 1);
 const planePoint: plane.ContactPoint = given(planeFound.manifolds[0]?.points[0], "a point");
@@ -332,6 +363,8 @@ expect(planeKnown.a.index === hanging.index && planeHash >= 0n && planeSimulatio
 planeSimulation.restore(planeState);
 expect(planeReport.awake === 1, "a step of the plane");
 plane.draw.distance(planeApart, renderer);
+plane.draw.body(planeSimulation, falling, renderer);
+plane.draw.span(plane.traced.raycast(square, {}, planeRay).trace, 0, planeRay, renderer);
 const planeAsking: plane.Explained = plane.draw.explained(renderer);
 expect(planeAsking.overlap(square, {}, disk, beside), "a question of the plane, drawn");
 // @ts-expect-error a shape of the plane is none of space

@@ -1,6 +1,6 @@
 // Debug draw: the library's objects and answers, drawn by a renderer of the caller's.
 
-import { arrayOf, callback, InvalidValue, membersOf, shown } from "./core.js";
+import { arrayOf, callback, InvalidValue, membersOf, shown, whole } from "./core.js";
 import { named } from "./layout.js";
 
 const layers = ["shapes", "bounds", "tree", "contacts", "distances", "rays", "casts", "trace", "joints"];
@@ -51,7 +51,7 @@ function drawnOn(core, layout, renderer, body) {
 /** The parts of a trace that are drawn, as the C interface has them; the places of the plane may have two numbers. */
 function viewOf(core, layout, trace) {
   const { winner = "", axes = [], gjk = [], epa = [], difference = [], polytope = [], triangles = [] } = trace;
-  const { faceA = [], faceB = [], cuts = [] } = trace;
+  const { spans = [], faceA = [], faceB = [], cuts = [] } = trace;
   const inSpace = (v, path) => (v?.length === 2 ? [v[0], v[1], 0] : given(v, path));
   const given = (value, path) => {
     if (value === undefined || value === null) throw new InvalidValue(`${path}: expected numbers, got ${shown(value)}`);
@@ -86,7 +86,10 @@ function viewOf(core, layout, trace) {
     cuts: all(layout.traceCut, cuts, "cuts", ({ from, to, left }, path) => ({
       from: inSpace(from, `${path}.from`), to: inSpace(to, `${path}.to`),
       left: corners(left, `${path}.left`), leftCount: left.length })),
-    axisCount: axes.length, gjkCount: gjk.length, epaCount: epa.length, cutCount: cuts.length,
+    spans: all(layout.traceSpan, spans, "spans", ({ name, normal, enter, leave }, path) => ({
+      name: core.written(name, `${path}.name`), normal: inSpace(normal, `${path}.normal`),
+      enter: given(enter, `${path}.enter`), leave: given(leave, `${path}.leave`) })),
+    axisCount: axes.length, gjkCount: gjk.length, epaCount: epa.length, spanCount: spans.length, cutCount: cuts.length,
   }, "trace");
   return view;
 }
@@ -117,15 +120,22 @@ export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
     },
     trace(trace, renderer, options) {
       const { step } = membersOf(options, "options", stepMembers);
-      const { graze_trace_view_draw: whole, graze_trace_view_step_draw: one } = core.exports;
+      const { graze_trace_view_draw: all, graze_trace_view_step_draw: one } = core.exports;
       const view = viewOf(core, layout, trace);
-      drawn(renderer, (on) => core.check(step === undefined ? whole(view, on) : one(view, step, on)));
+      drawn(renderer, (on) => core.check(step === undefined ? all(view, on) : one(view, step, on)));
+    },
+    span(trace, span, ray, renderer) {
+      const view = viewOf(core, layout, trace);
+      const { origin, direction } = ask.rayParts(ray);
+      const inSpace = (v) => (v?.length === 2 ? [v[0], v[1], 0] : v);
+      const at = written(layout.ray, { origin: inSpace(origin), direction: inSpace(direction) }, "ray");
+      drawn(renderer, (on) => core.call("trace_view_span_draw", view, whole(span, "span"), at, on));
     },
     explained(renderer, options) {
       const { step } = membersOf(options, "options", stepMembers);
       return ask.explaining((answer, trace) => {
-        const { graze_trace_draw: whole, graze_trace_step_draw: one } = core.exports;
-        drawn(renderer, (on) => core.check(step === undefined ? whole(trace, on) : one(trace, step, on)));
+        const { graze_trace_draw: all, graze_trace_step_draw: one } = core.exports;
+        drawn(renderer, (on) => core.check(step === undefined ? all(trace, on) : one(trace, step, on)));
         return answer;
       });
     },
@@ -166,6 +176,13 @@ export function worldDrawings(core, layout, { prefix, types, pose }, worlds, sim
       drawn(renderer, (on) => core.call(`${prefix}world_draw`, worlds.pointerOf(world), on)),
     simulation: (simulation, renderer) =>
       drawn(renderer, (on) => core.call(`${prefix}simulation_draw`, simulations.pointerOf(simulation), on)),
+    body(owner, id, renderer) {
+      const [name, pointer] = simulations.isOne(owner)
+        ? ["simulation", simulations.pointerOf(owner)]
+        : ["world", worlds.pointerOf(owner)];
+      const body = worlds.idAt(id, "body");
+      drawn(renderer, (on) => core.call(`${prefix}${name}_draw_body`, pointer, body, on));
+    },
     area(world) {
       const on = core.room(layout.debugDraw.size);
       core.exports.graze_debug_draw_default(on);

@@ -84,6 +84,7 @@ export function layouts(core) {
     overlap: bool, certainty, error: num, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 });
   const support = struct({ a: several(real, 3), b: several(real, 3) });
   const space = enumeration(u8, ["linear", "angular"]);
+  const sides = enumeration(i32, ["both", "front"]);
   const combine = enumeration(u8, ["unset", "average", "minimum", "maximum", "multiply"]);
   const realVector = several(real, 3);
   const pair = struct({ overlap: bool, firstManifold: u32, manifoldCount: u32 });
@@ -148,12 +149,17 @@ export function layouts(core) {
       ...dimension(vec2, num, vec2, {
         rayHitMembers: { certainty }, inertiaMembers: { inertia: num }, principalInertia: num, inertia: num }),
       massProperties: struct({ area: num, center: vec2, inertia: num }),
+      shapeMeasures: struct({
+        size: vec2, radii: vec2, height: num, radius: num, radiusTop: num, children: u32, convex: bool, closed: bool, sides }),
     },
     broadPhasePart: struct({ box: ofSpace.aabb, depth: u32 }),
     hullLayer: struct({ vertices: u32, vertexCount: u32, edges: u32, edgeCount: u32 }),
     supportLayer: struct({ vertices: u32, lookedAt: u32, along: u32, lookedAtCount: u32, winner: u32 }),
     supportTrace: struct({ layers: u32, layerCount: u32, scanned: bool, vertex: u32, products: u32 }),
     massProperties: struct({ volume: num, center: vec3, inertia: mat3 }),
+    shapeMeasures: struct({
+      size: vec3, radii: vec3, center: vec3, height: num, radius: num, radiusTop: num, spacing: vec2, tolerance: num,
+      columns: u32, rows: u32, children: u32, convex: bool, closed: bool, solid: bool, sides }),
     batchContacts: struct({
       pairs: u32, pairCount: u32, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),
     compactContacts: struct({ manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),

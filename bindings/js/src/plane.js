@@ -4,7 +4,9 @@ import { batches } from "./batches.js";
 import { arrayOf, finite, InvalidValue, membersOf, number, shown } from "./core.js";
 import { drawings, tessellations, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
+import { addMethods, planeMeasures } from "./measures.js";
 import { freeMotion, passing } from "./motion.js";
+import { planePoses } from "./poses.js";
 import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
 import { movingMembers, newShape, numbers, placed, sides, userConvex } from "./shapes.js";
@@ -146,6 +148,8 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const angle = ({ translation, rotation }) => ({ translation, rotation: Math.atan2(rotation[1], rotation[0]) });
   const dimension = {
     prefix: "plane_", types, args, of, Shape, pose, shown: angle, turning: (value) => value, numbersOf, ask };
+  const measures = { shown: angle, room: ask.room, made: (pointer) => new Shape(pointer) };
+  addMethods(core, Shape, planeMeasures(core, layout, measures), of);
   const worlds = worldClasses(core, layout, dimension, Rows, Handle);
   const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
 
@@ -175,6 +179,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       ...passing(core, layout, motion),
       ...freeMotion(core, layout, motion),
       ...tessellations(core, layout, dimension),
+      ...planePoses(core, dimension),
       alongLines(motion, normals) {
         const question = [vec2(motion, "motion"), ...outline(normals, "normals")];
         return answered(layout.vec2, (p) => ask.call("along_lines", ...question, p));

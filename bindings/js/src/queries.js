@@ -8,6 +8,7 @@ export const {
   init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle, Cylinder,
   Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap, mayOverlap,
   distance, distanceUpTo, within, nearPieces, alongPlanes, contacts, contactMargin, featureCorners, closest, raycast,
-  raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, compactContactsBatch,
-  closestBatch, raycastBatch, castBatch, nearPiecesBatch, BroadPhase, PairChanges, World,
+  raycastAny, raycastAll, cast, castAll, poseAt, compose, inverse, relative, transform, inverseTransform, overlapBatch,
+  distanceBatch, contactsBatch, compactContactsBatch, closestBatch, raycastBatch, castBatch, nearPiecesBatch,
+  BroadPhase, PairChanges, World,
 } = names;

@@ -2,6 +2,7 @@
 
 import { InvalidValue, membersOf, shown, whole } from "./core.js";
 import { named } from "./layout.js";
+import { poses } from "./poses.js";
 import { movingMembers } from "./shapes.js";
 import { traceReader } from "./trace.js";
 
@@ -61,12 +62,13 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     return { overlap, certainty, error, manifolds: manifolds(all, 0, manifoldCount) };
   };
 
-  const ray = (value) => {
+  const rayParts = (value) => {
     const { origin, direction } = membersOf(value, "ray", rayMembers);
     for (const [name, part] of Object.entries({ origin, direction }))
       if (part === undefined) throw new InvalidValue(`ray.${name}: expected ${vectorSize} numbers, got ${shown(part)}`);
-    return written(types.ray, { origin, direction }, "ray");
+    return { origin, direction };
   };
+  const ray = (value) => written(types.ray, rayParts(value), "ray");
   const length = (value) => value.length ?? Infinity;
   const writeMoving = (p, body = {}, path) => {
     const at = pose(body, path, movingMembers);
@@ -166,8 +168,8 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   };
 
   return {
-    asked: plainly, untraced, framed, explaining, traced, call, two, yes, found, room, place, listed, manifolds, contactsAt, ray, length,
-    moving, writeMoving, separating, back, backs, rayOptions };
+    asked: plainly, untraced, framed, explaining, traced, call, two, yes, found, room, place, listed, manifolds, contactsAt, rayParts,
+    ray, length, moving, writeMoving, separating, back, backs, rayOptions };
 }
 
 /** The queries that only space has, on top of those of both dimensions. */
@@ -180,6 +182,7 @@ export function spaceQuestions(core, layout, args, shapes) {
   const plain = ask.framed({
     ...ask.asked,
     ...ask.untraced,
+    ...poses(core, layout, args),
     mayOverlap: (a, poseA, b, poseB) => yes("may_overlap", ...two(a, poseA, b, poseB)),
     alongPlanes(motion, normals) {
       const { pointer, count } = rows(normals, 3, "normals");

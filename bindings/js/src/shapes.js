@@ -2,6 +2,7 @@
 
 import { AnyHandle, arrayOf, finite, InvalidValue, membersOf, number, shown, whole } from "./core.js";
 import { named } from "./layout.js";
+import { addMethods, spaceMeasures } from "./measures.js";
 
 const kinds = [
   "sphere", "capsule", "box", "rectangle", "cylinder", "ellipsoid", "segment", "triangle", "convexHull", "userConvex",
@@ -144,6 +145,7 @@ export function shapeClasses(core, layout, args, Handle) {
     }
   }
   const of = (shape, path = "shape") => Handle.pointer(shape, path, Shape);
+  addMethods(core, Shape, spaceMeasures(core, layout, (pointer) => new Shape(pointer)), of);
 
   class Sphere extends Shape {
     constructor(radius, center = origin) {

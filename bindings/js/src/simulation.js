@@ -8,7 +8,9 @@ import { freeMotion, passing, struckMembers } from "./motion.js";
 const axes = ["x", "y", "z"];
 const spaces = ["linear", "angular"];
 const jointKinds = ["fixed", "ball", "hinge", "slider"];
-const jointMembers = ["a", "b", "frameA", "frameB", "kind", "limits", "drives", "enableCollision"];
+/** The kinds that have bounds of their own: a slider's are along its axis, where it has any. */
+const usualBounds = { slider: [-Infinity, Infinity], distance: [0, Infinity] };
+const jointMembers = ["a", "b", "frameA", "frameB", "kind", "min", "max", "limits", "drives", "enableCollision"];
 /** The members of a struct that say whether others are there, which the caller does not write. */
 const told = (name) => !name.startsWith("has");
 
@@ -63,8 +65,19 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     named(axes, axis, `${path}.axis`);
     return { space, axis, mode, positionTarget, velocityTarget, stiffness, damping, maxForce };
   };
+  /** The bounds of a joint of a kind, or null where it has none. */
+  const boundsOf = ({ kind, min, max }) => {
+    named([...jointKinds, "distance"], kind, "joint.kind");
+    const usual = usualBounds[kind];
+    const [name] = Object.entries({ min, max }).find(([, bound]) => bound !== undefined) ?? [];
+    if (name !== undefined && usual === undefined)
+      throw new InvalidValue(`joint.${name}: expected none of the kind ${kind}, got ${shown(min ?? max)}`);
+    return name === undefined && kind !== "distance" ? null : [min ?? usual[0], max ?? usual[1]];
+  };
   const jointAt = (given) => {
     const value = membersOf(given, "joint", jointMembers);
+    if (value.kind === undefined && (value.min ?? value.max) !== undefined)
+      throw new InvalidValue("joint.kind: expected slider or distance, whose bounds are min and max, got undefined");
     const p = core.room(types.joint.size);
     const frameA = pose(value.frameA, "joint.frameA");
     const frameB = pose(value.frameB, "joint.frameB");
@@ -77,9 +90,10 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     let first = 0;
     if (value.kind !== undefined) {
       const held = core.room(types.joint.size);
-      const kind = named(jointKinds, value.kind, "joint.kind");
-      const [a, b] = [idAt(value.a, "joint.a"), idAt(value.b, "joint.b")];
-      core.call(`${prefix}joint_of_kind`, kind, a, frameA, b, frameB, held);
+      const frames = [idAt(value.a, "joint.a"), frameA, idAt(value.b, "joint.b"), frameB];
+      const bounds = boundsOf(value);
+      if (bounds === null) core.call(`${prefix}joint_of_kind`, named(jointKinds, value.kind), ...frames, held);
+      else core.call(`${prefix}joint_${value.kind}`, ...frames, ...bounds, ask.room(), held);
       ({ limits: first, limitCount: count } = types.joint.read(held));
     }
     const all = core.room(Math.max(1, count + own.length) * size);
@@ -126,6 +140,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
       call("joint_impulses", pointer(), idAt(id, "joint"), first, count);
       return Array.from(core.numbers(core.data.getUint32(first, true), core.data.getUint32(count, true)));
     },
+    settings: () => answered(types.simulationSettings, (p) => call("settings", pointer(), p)),
     report: () => answered(types.stepReport, (p) => call("report", pointer(), p)),
     stateHash: () => answered(layout.u64, (p) => call("state_hash", pointer(), p)),
   });
@@ -228,7 +243,8 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
   }
   const at = (simulation) => Handle.pointer(simulation, "simulation", Simulation);
   const changed = (simulation) => Handle.changed(simulation, "simulation", Simulation);
-  return { names: { Simulation, State }, questionable, pointerOf, ofWorld };
+  const isOne = (value) => pointers.has(value);
+  return { names: { Simulation, State }, questionable, pointerOf, isOne, ofWorld };
 }
 
 export function blows(core, layout, dimension, shapes) {

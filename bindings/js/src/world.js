@@ -177,6 +177,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   };
 
   class World extends Handle {
+    #allow;
     constructor(given) {
       const settings = membersOf(given, "settings", ["margin", "pointsPerPair", "allow", "capture"]);
       const allow = kept(callback(settings.allow, "settings.allow"), "graze_js_allow");
@@ -192,7 +193,19 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
         release(p);
         if (allow.key !== null) core.callbacks.delete(allow.key);
       });
+      this.#allow = allow;
       questionable(this, () => Handle.pointer(this, "world", World));
+    }
+    setAllow(given) {
+      const next = kept(callback(given, "allow"), "graze_js_allow");
+      try {
+        core.frame(() => call("set_allow", changed(this), next.function, next.key ?? 0));
+      } catch (error) {
+        core.callbacks.delete(next.key);
+        throw error;
+      }
+      core.callbacks.delete(this.#allow.key);
+      Object.assign(this.#allow, next);
     }
     add(body) {
       return core.frame(() => answered(layout.id, (p) => call("add", changed(this), bodyAt(body), p)));
