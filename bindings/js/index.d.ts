@@ -1285,6 +1285,8 @@ export declare namespace plane {
     options?: { length?: number }): Batch<RayHit> & { readonly found: Uint8Array };
   function castBatch(
     a: readonly Moving[], b: readonly Moving[], options?: CastOptions): Batch<CastHit> & { readonly found: Uint8Array };
+  /** The near pieces of each pair. */
+  function nearPiecesBatch(a: Bodies, b: Bodies, margin: number, places?: Places): PieceDistance[][];
   interface StruckBody {
     /** The mass; Infinity for a body that does not move. */
     readonly mass: number;

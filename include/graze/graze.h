@@ -1696,6 +1696,10 @@ GRAZE_C_API GrazeStatus graze_plane_contacts_batch_reduced_d(const GrazePlaneBat
                                                              GrazeBufferd *buffer,
                                                              GrazePlaneBatchContactsd *contacts,
                                                              const GrazeExecutor *executor);
+// The near pieces of all pairs, as graze_near_pieces_batch_d has them, on the calling thread.
+GRAZE_C_API GrazeStatus graze_plane_near_pieces_batch_d(const GrazePlaneBatchd *batch, double margin,
+                                                        GrazeBufferd *buffer, const GrazePlanePieceDistanced **pieces,
+                                                        const size_t **ends, size_t *count);
 // Batches of one shape and many points or rays, and of many moving pairs, as in space.
 GRAZE_C_API GrazeStatus graze_plane_closest_batch_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                     const GrazeVec2d *points, size_t point_stride, size_t count,
@@ -3167,6 +3171,9 @@ GRAZE_C_API GrazeStatus graze_plane_contacts_batch_reduced_f(const GrazePlaneBat
                                                              GrazeBufferf *buffer,
                                                              GrazePlaneBatchContactsf *contacts,
                                                              const GrazeExecutor *executor);
+GRAZE_C_API GrazeStatus graze_plane_near_pieces_batch_f(const GrazePlaneBatchf *batch, float margin,
+                                                        GrazeBufferf *buffer, const GrazePlanePieceDistancef **pieces,
+                                                        const size_t **ends, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_closest_batch_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                                     const GrazeVec2f *points, size_t point_stride, size_t count,
                                                     GrazePlaneClosestf *closest, size_t closest_stride,

@@ -980,6 +980,13 @@ export const checks = [
         equal(deepest[i].manifolds, plane.contacts(...pair, 0.25, 1).manifolds, "at most one point");
       });
       ok(touch.includes(1) && touch.includes(0), "that some touch and some do not");
+      const chain = new plane.Chain([[-1, 0], [0, 0.5], [1, 0], [1, -2]]);
+      const pieces = plane.nearPiecesBatch({ shapes: chain, translations: [0, 0] }, moved, 0.5);
+      translations.forEach((translation, i) =>
+        equal(pieces[i], plane.nearPieces(chain, {}, each[i], { translation }, 0.5), "near pieces"));
+      ok(pieces.some((near) => near.length > 1) && pieces.some((near) => near.length === 0), "several pieces, and none");
+      throws(() => plane.nearPiecesBatch(moved, moved, -1), /^margin: expected/, entry.InvalidValue);
+      chain.dispose();
       const numbers = turned.flatMap((angle, i) => [...translations[i], Math.cos(angle), Math.sin(angle)]);
       equal(plane.overlapBatch(here, { shapes: each, poses: numbers }).length, 60, "poses of four numbers");
       const rays = translations.flatMap((from) => [...from.map((x) => 2 * x), ...vec2(1)]);

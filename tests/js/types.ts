@@ -320,6 +320,8 @@ expect(plane.featureCorners(square, planePoint.feature >>> 16).length > 0, "corn
 const planeMany: plane.Bodies = { shapes: square, poses: [0, 0, 1, 0, 5, 0, 1, 0] };
 expect(plane.overlapBatch(planeMany, planeMany, places).join() === "1,0", "a batch of the plane");
 expect(plane.contactsBatch(planeMany, planeMany, 0, places, 1).length === 2, "contacts of the plane");
+const planePiecesOf: plane.PieceDistance[][] = plane.nearPiecesBatch(planeMany, planeMany, 9, places);
+expect(planePiecesOf.map((pieces) => pieces[0]?.distance.distance).join() === "-2,3", "near pieces of the plane");
 const planeBatches = [
   plane.distanceBatch(planeMany, planeMany, places), plane.closestBatch(square, {}, [[0, 3]]),
   plane.raycastBatch(square, {}, [-3, 0, 1, 0]), plane.castBatch([{ shape: square }], [planeMoving], castOptions)];

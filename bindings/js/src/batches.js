@@ -186,7 +186,7 @@ export function batches(core, layout, dimension, Rows, Handle) {
     nearPiecesBatch(a, b, margin, places) {
       const { pointer, length } = batch(a, b, places);
       const ends = core.room(4);
-      const all = ask.listed(layout.pieceDistance, (buffer, first, count) =>
+      const all = ask.listed(types.pieceDistance, (buffer, first, count) =>
         call("near_pieces_batch", pointer, margin, buffer, first, ends, count));
       // Ends are as many as pairs, and counted in pieces.
       return splitAt(all, core.data.getUint32(ends, true), length);

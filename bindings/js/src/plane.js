@@ -153,8 +153,8 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const worlds = worldClasses(core, layout, dimension, Rows, Handle);
   const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
 
-  // The first two are of space alone.
-  const { nearPiecesBatch, compactContactsBatch, ...batched } = batches(core, layout, dimension, Rows, Handle);
+  // The first is of space alone.
+  const { compactContactsBatch, ...batched } = batches(core, layout, dimension, Rows, Handle);
   const inverseMass = (body, path) => {
     const { mass, inertia, shape } = body;
     if (!(mass > 0)) throw new InvalidValue(`${path}.mass: expected a number > 0, got ${shown(mass)}`);
