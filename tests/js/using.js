@@ -2,7 +2,7 @@
 
 import { close, equal, ok, throws } from "./assert.js";
 
-/** What can be held, each by a function that makes one: of a module, and of its plane. */
+/** All kinds of handles of an entry or of its plane, each by a function that makes one. */
 function made({ Numbers, Box, BroadPhase, PairChanges, World, Simulation, distanceBatch }, [size, apart, poses]) {
   const batch = () => {
     using box = new Box(size);
@@ -50,7 +50,7 @@ function eachHandle({ graze, double, queries }, body) {
 export const usingChecks = [
   ["handles end with their block", (entries) => {
     eachHandle(entries, (name, make, { memoryInUse }) => {
-      make().dispose(); // what the module keeps from its first calls
+      make().dispose(); // tables that the module keeps from its first calls
       const before = memoryInUse();
       let seen;
       {

@@ -1,4 +1,4 @@
-// What shapes are made of: their measures, points and children.
+// Measures, points and children of shapes, as they were made of them.
 
 const ends = ({ height, radius, radiusTop }) => ({ height, radiusBottom: radius, radiusTop });
 const sized = ({ size }) => ({ size });
@@ -42,7 +42,7 @@ function readers(core, layout, types, { prefix, kinds, measures, shown, made }) 
       return { kind: shape.kind, convex, ...kinds[shape.kind]?.(every) };
     },
     children(shape, pointer) {
-      // What has no children is refused by the library, in its words.
+      // A shape that is no compound is refused by the library, in its words.
       const count = shape.kind === "compound" ? all(pointer).children : 1;
       return Array.from({ length: count }, (_, i) => {
         const { shape: child, pose } = read(types.child, "child", pointer, i);
