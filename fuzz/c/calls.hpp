@@ -139,6 +139,7 @@ struct Calls {
 
   // The plane.
   void plane();
+  void ask_plane_batch();
   void change_plane_world();
   void ask_plane_world(const GrazePose2d& pose);
   void change_plane_simulation();

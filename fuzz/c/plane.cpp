@@ -75,6 +75,37 @@ void Calls::plane() {
                                 in.maybe(met), 0, in.maybe(met_at), 0, nullptr));
   told(graze_plane_cast_all_d(in.maybe(&fast), &still, 1, in.choice<GrazeSeparating>(2), in.maybe(buffer), &casts,
                               &count));
+  ask_plane_batch();
+}
+
+void Calls::ask_plane_batch() {
+  const std::size_t count = in.byte() % 20;
+  std::vector<const GrazePlaneShaped*> handles(in.byte() < 128 ? 1 : count);
+  for (auto& h : handles) h = plane_shape();
+  std::vector<GrazePose2d> poses(in.byte() < 32 ? 1 : count);
+  for (auto& p : poses) p = in.pose2();
+  std::vector<GrazeIdPair> places(in.byte() % 8);
+  for (auto& p : places) p = {in.byte() % 21u, in.byte() % 3u};
+  GrazePlaneBatchd batch{};
+  batch.a = graze_plane_bodies_d(in.maybe(handles.data()), handles.size(), in.maybe(poses.data()), poses.size());
+  batch.b = graze_plane_bodies_d(handles.data(), handles.empty() ? 0 : 1, poses.data(), poses.empty() ? 0 : 1);
+  if (in.byte() < 64) batch.b.rotations = nullptr;
+  if (!places.empty()) batch.places = places.data(), batch.place_count = places.size();
+  std::size_t size = 0;
+  if (!told(graze_plane_batch_size_d(in.maybe(&batch), in.maybe(&size)))) return;
+  const std::size_t pairs = size;
+  std::vector<std::uint8_t> touch(pairs);
+  std::vector<GrazePlaneDistanced> distances(pairs);
+  told(graze_plane_overlap_batch_d(&batch, in.maybe(touch.data()), 0, nullptr));
+  told(graze_plane_distance_batch_d(&batch, in.maybe(distances.data()), 0, nullptr));
+  GrazePlaneBatchContactsd contacts;
+  const std::size_t most = in.byte();
+  if (told(graze_plane_contacts_batch_reduced_d(&batch, in.length(), most, in.maybe(buffer), &contacts, nullptr)))
+    require(contacts.pair_count == pairs && contacts.point_count <= most * pairs);
+  const GrazePlanePieceDistanced* pieces;
+  const std::size_t* ends;
+  if (told(graze_plane_near_pieces_batch_d(&batch, in.length(), in.maybe(buffer), &pieces, in.maybe(&ends), &size)))
+    require(size == 0 || ends[pairs - 1] == size);
 }
 
 void Calls::change_plane_world() {
