@@ -69,6 +69,37 @@ test("what was forgotten is given back", { skip: globalThis.gc === undefined && 
   assert.equal(graze.memoryInUse(), before);
 });
 
+const needsCollector = { skip: globalThis.gc === undefined && "needs --expose-gc" };
+test("functions of a world that was refused, or has others now, are forgotten", needsCollector, async () => {
+  // Functions by themselves, which hold nothing of where they are used.
+  const decision = (answer) => () => answer;
+  const refuse = (library) => {
+    const allow = decision(true);
+    assert.throws(() => new library.World({ allow, margin: -1 }), graze.InvalidValue);
+    return new WeakRef(allow);
+  };
+  const replace = (world, allow) => {
+    world.setAllow(decision(true));
+    return new WeakRef(allow);
+  };
+  const worlds = [];
+  const made = (library) => {
+    const allow = decision(false);
+    worlds.push(new library.World({ allow }));
+    return replace(worlds.at(-1), allow);
+  };
+  const forgotten = [graze, graze.plane].flatMap((library) => [refuse(library), made(library)]);
+  // A reference that was looked at holds its object until the present turn ends.
+  const later = () => new Promise((resolve) => setTimeout(resolve, 10));
+  for (let tries = 0; tries < 50 && forgotten.some((ref) => ref.deref() !== undefined); ++tries) {
+    await later();
+    globalThis.gc();
+    await later();
+  }
+  assert.deepEqual(forgotten.map((ref) => ref.deref()), [undefined, undefined, undefined, undefined]);
+  for (const world of worlds) world.dispose();
+});
+
 test("questions of the protocol's page have the answers of the page", async () => {
   const pairs = pairsOfProtocol(await readFile(path.join(project, "docs/protocol.md"), "utf8"));
   for (const [question, answer] of pairs) assert.equal(double.query(question), answer);

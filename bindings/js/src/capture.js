@@ -15,30 +15,31 @@ export function captureImports(core) {
   };
 }
 
+/** A function that gives a world or a simulation back, and holds no more than it needs for that: not the settings. */
+const releasing = (core, name, key) => (pointer) => {
+  core.exports[`graze_${name}_destroy_${core.scalar}`](pointer);
+  core.callbacks.delete(key);
+  core.thrown = null; // no caller is there to catch it
+};
+
 /**
  * The pointer of a new world or simulation, and the function that gives it back; `name` is that of its functions,
  * `settings` writes its settings. A captured one where `capture` is a function.
  */
 export function created(core, name, settings, capture) {
   const key = capture === undefined ? null : core.keep(capture);
-  const end = () => core.callbacks.delete(key);
   const make = () => {
     const result = core.room(4);
     if (key === null) core.call(`${name}_create`, settings(), 0, result);
     else core.call(`${name}_create_captured`, settings(), 0, core.exports.graze_js_write(), key, result);
     return core.data.getUint32(result, true);
   };
-  const release = (pointer) => {
-    core.exports[`graze_${name}_destroy_${core.scalar}`](pointer);
-    end();
-    core.thrown = null; // no caller is there to catch it
-  };
   try {
     if (key !== null && core.exports[`graze_${name}_create_captured_${core.scalar}`] === undefined)
       throw new InvalidValue("capture: expected none in graze/queries, got a function");
-    return [core.frame(make), release];
+    return [core.frame(make), releasing(core, name, key)];
   } catch (error) {
-    end();
+    core.callbacks.delete(key);
     throw error;
   }
 }

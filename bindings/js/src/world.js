@@ -176,23 +176,36 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     return target;
   };
 
+  /** A function that gives a world back, and forgets the one that decides last, which may be another by then. */
+  const releasing = (release, allow) => (pointer) => {
+    release(pointer);
+    core.callbacks.delete(allow.key);
+  };
+  /** A new world of those settings: its pointer, what gives it back, and the function that decides last. */
+  const opened = (given) => {
+    const settings = membersOf(given, "settings", ["margin", "pointsPerPair", "allow", "capture"]);
+    const allow = kept(callback(settings.allow, "settings.allow"), "graze_js_allow");
+    const begin = () => {
+      const p = core.room(layout.worldSettings.size);
+      const { margin, pointsPerPair } = settings;
+      layout.worldSettings.write(p, {
+        hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 }, "settings");
+      return p;
+    };
+    try {
+      const [pointer, release] = created(core, `${prefix}world`, begin, callback(settings.capture, "settings.capture"));
+      return { pointer, release: releasing(release, allow), allow };
+    } catch (error) {
+      core.callbacks.delete(allow.key);
+      throw error;
+    }
+  };
+
   class World extends Handle {
     #allow;
     constructor(given) {
-      const settings = membersOf(given, "settings", ["margin", "pointsPerPair", "allow", "capture"]);
-      const allow = kept(callback(settings.allow, "settings.allow"), "graze_js_allow");
-      const begin = () => {
-        const p = core.room(layout.worldSettings.size);
-        const { margin, pointsPerPair } = settings;
-        layout.worldSettings.write(p, {
-          hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 }, "settings");
-        return p;
-      };
-      const [pointer, release] = created(core, `${prefix}world`, begin, callback(settings.capture, "settings.capture"));
-      super(pointer, (p) => {
-        release(p);
-        if (allow.key !== null) core.callbacks.delete(allow.key);
-      });
+      const { pointer, release, allow } = opened(given);
+      super(pointer, release);
       this.#allow = allow;
       questionable(this, () => Handle.pointer(this, "world", World));
     }
