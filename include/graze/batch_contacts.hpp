@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// Contacts of a batch, filled by `contacts`.
-template <class T>
+/// Contacts of a batch, filled by `contacts`. `Point`: a point of contact of the batch's space.
+template <class T, class Point = ContactPoint<T>>
 struct BatchContacts {
   /// One pair of the batch.
   struct Pair {
@@ -20,18 +20,18 @@ struct BatchContacts {
   };
   /// One manifold of a pair.
   struct Group {
-    Vec3<T> normal{};                        ///< unit, from A to B
+    decltype(Point::a) normal{};             ///< unit, from A to B
     std::uint32_t piece_a = 0, piece_b = 0;  ///< the triangle or child of a composite that touches, else 0
     std::uint32_t first_point = 0, point_count = 0;
   };
-  std::vector<Pair> pairs;              ///< one for each pair of the batch, in its order
-  std::vector<Group> manifolds;         ///< manifolds of a pair are contiguous
-  std::vector<ContactPoint<T>> points;  ///< points of a manifold are contiguous
+  std::vector<Pair> pairs;       ///< one for each pair of the batch, in its order
+  std::vector<Group> manifolds;  ///< manifolds of a pair are contiguous
+  std::vector<Point> points;     ///< points of a manifold are contiguous
 
   std::span<const Group> manifolds_of(std::size_t pair) const {
     return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);
   }
-  std::span<const ContactPoint<T>> points_of(const Group& m) const {
+  std::span<const Point> points_of(const Group& m) const {
     return std::span(points).subspan(m.first_point, m.point_count);
   }
 };

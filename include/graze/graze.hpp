@@ -4,6 +4,7 @@
 #include "graze/angles.hpp"
 #include "graze/batch.hpp"
 #include "graze/batch_contacts.hpp"
+#include "graze/batch_pairs.hpp"
 #include "graze/batch_raycast.hpp"
 #include "graze/blows.hpp"
 #include "graze/broad_phase.hpp"

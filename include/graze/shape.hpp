@@ -18,6 +18,7 @@
 #include "graze/shape/ellipsoid.hpp"
 #include "graze/shape/half_space.hpp"
 #include "graze/shape/height_field.hpp"
+#include "graze/shape/listed.hpp"
 #include "graze/shape/mesh.hpp"
 #include "graze/shape/rectangle.hpp"
 #include "graze/shape/sphere.hpp"
@@ -40,62 +41,25 @@ concept BoundedConvex = requires(const C& c) {
 
 /// A shape of any kind, with its rounding: a value.
 template <class T>
-class Shape {
+class Shape : public ListedShape<ShapeList<T>, T> {
  public:
-  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< number of kinds
-
   /// `concrete`, rounded by `rounding`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a
   /// rounding that is negative, larger than `largest_magnitude`, or given to a composite.
   template <class C>
   requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T rounding = T(0))
-      : list_(std::move(concrete)), rounding_(validate::size(rounding, "rounding")) {
+      : ListedShape<ShapeList<T>, T>(std::move(concrete), validate::size(rounding, "rounding")) {
     if constexpr (!BoundedConvex<C> && !std::is_same_v<C, HalfSpace<T>>)
       if (rounding != T(0))
         validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
   }
 
-  /// The rounding radius: that of the ball in the Minkowski sum.
-  T rounding() const { return rounding_; }
-  /// The kind of the shape: its index in `ShapeList`.
-  std::size_t index() const { return list_.index(); }
-  /// The name of the kind in files and messages.
-  const char* name() const {
-    return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
-  }
   /// Whether the shape is one convex piece.
   bool convex() const {
-    return visit([](const auto& c) {
+    return this->visit([](const auto& c) {
       using C = std::decay_t<decltype(c)>;
       return BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>;
     });
   }
-
-  /// The shape as `C`, or null when it is of another kind.
-  template <class C>
-  const C* as() const {
-    return std::get_if<C>(&list_);
-  }
-
-  /// Calls `f` with the shape as an object of the class of its kind.
-  template <class F>
-  decltype(auto) visit(F&& f) const {
-    return visit_from<0>(std::forward<F>(f));
-  }
-
- private:
-  /// A chain of comparisons that compilers turn into one jump, where `std::visit` calls through a table.
-  template <std::size_t I, class F>
-  decltype(auto) visit_from(F&& f) const {
-    if constexpr (I + 1 == count) {
-      return f(*std::get_if<I>(&list_));
-    } else {
-      if (list_.index() == I) return f(*std::get_if<I>(&list_));
-      return visit_from<I + 1>(std::forward<F>(f));
-    }
-  }
-
-  ShapeList<T> list_;
-  T rounding_;
 };
 
 namespace detail {
@@ -103,12 +67,7 @@ namespace detail {
 /// The index of a kind in `ShapeList`.
 template <class C, class T>
 constexpr std::size_t kind_of() {
-  return []<std::size_t... I>(std::index_sequence<I...>) {
-    std::size_t place = 0;
-    static_cast<void>(((place = I, std::is_same_v<std::variant_alternative_t<I, ShapeList<T>>, C>) || ...));
-    return place;
-  }
-  (std::make_index_sequence<Shape<T>::count>());
+  return Shape<T>::template index_of<C>();
 }
 
 }  // namespace detail

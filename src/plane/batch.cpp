@@ -1,7 +1,6 @@
 #include "graze/plane/batch.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "plane/batch_parts.hpp"
 #include "plane/pairs/pair_queues.hpp"
@@ -11,19 +10,12 @@ namespace graze::plane {
 
 namespace {
 
-template <class T>
-void check_places(const Bodies<T>& bodies, const char* name, std::size_t pair, std::size_t i) {
-  if (i < bodies.size()) return;
-  validate::fail("pairs[" + std::to_string(pair) + "]." + name, "a place below " + std::to_string(bodies.size()),
-                 static_cast<double>(i));
-}
-
 /// Appends the contacts of one pair that is computed by itself. `manifolds`: memory for that.
 template <class T>
 void append_alone(const Batch<T>& batch, std::size_t i, T margin, Manifolds<T>& manifolds, BatchContacts<T>& found,
                   typename BatchContacts<T>::Pair& pair) {
   manifolds.clear();
-  pair.overlap = ask(batch, i, [&](const auto&... shapes) { return contacts(shapes..., margin, manifolds); });
+  pair.overlap = batch.visit(i, [&](const auto&... shapes) { return contacts(shapes..., margin, manifolds); });
   pair.first_manifold = static_cast<std::uint32_t>(found.manifolds.size());
   pair.manifold_count = static_cast<std::uint32_t>(manifolds.size());
   for (const Manifold<T>& m : manifolds) {
@@ -85,30 +77,10 @@ void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T m
 }  // namespace
 
 template <class T>
-Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs)
-    : a_(a), b_(b), pairs_(pairs), size_(pairs.size()) {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    check_places(a, "a", i, pairs[i].a);
-    check_places(b, "b", i, pairs[i].b);
-  }
-}
-
-template <class T>
-Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
-    : a_(a),
-      b_(b),
-      size_(a.size() == 1   ? b.size()
-            : b.size() == 1 ? a.size()
-                            : std::max(a.size(), b.size())) {
-  if (a.size() != b.size() && a.size() != 1 && b.size() != 1)
-    validate::fail("b", "as many bodies as a, or one", static_cast<double>(b.size()));
-}
-
-template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor) {
   touch.resize(batch.size());
   const auto alone = [&](std::size_t i) {
-    touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
+    touch[i] = batch.visit(i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
   };
   for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     PairQueues<T> queues;
@@ -132,7 +104,7 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Execut
   distances.resize(batch.size());
   const StoreKernels<T>& store = GRAZE_KERNEL(chosen_isa(), plane_store_kernels)().template of<T>();
   const auto alone = [&](std::size_t i) {
-    distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
+    distances[i] = batch.visit(i, [](const auto&... pair) { return distance(pair...); });
   };
   for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     PairQueues<T> queues;
@@ -183,7 +155,6 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template class Batch<T>;                                                                                             \
   template void overlap(const Batch<T>&, std::vector<std::uint8_t>&, Executor*);                                       \
   template void distance(const Batch<T>&, std::vector<Distance<T>>&, Executor*);                                       \
   template void contacts(const Batch<T>&, T, BatchContacts<T>&, Executor*);

@@ -32,10 +32,10 @@ struct MovingBatch {
 
   std::optional<CastHit<T>> contact(std::size_t i) const {
     const IdPair p = batch[i];
-    return ask(batch, i,
-               [&](const Shape<T>& shape_a, const Pose2<T>& pose_a, const Shape<T>& shape_b, const Pose2<T>& pose_b) {
-                 return cast(shape_a, pose_a, a[p.a], shape_b, pose_b, b[p.b], duration, options);
-               });
+    return batch.visit(
+        i, [&](const Shape<T>& shape_a, const Pose2<T>& pose_a, const Shape<T>& shape_b, const Pose2<T>& pose_b) {
+          return cast(shape_a, pose_a, a[p.a], shape_b, pose_b, b[p.b], duration, options);
+        });
   }
 };
 

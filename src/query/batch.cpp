@@ -2,58 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "query/batch_mpr.hpp"
 #include "query/batch_rows.hpp"
 
 namespace graze {
-
-namespace {
-
-/// Calls the query `question(a, pose_a, b, pose_b)` for one pair.
-template <class T, class Question>
-auto ask(const Batch<T>& batch, std::size_t i, const Question& question) {
-  const IdPair p = batch[i];
-  return batch.a().visit(p.a, [&](const Shape<T>& a) {
-    return batch.b().visit(p.b,
-                           [&](const Shape<T>& b) { return question(a, batch.a().pose(p.a), b, batch.b().pose(p.b)); });
-  });
-}
-
-template <class T>
-void check_poses(const Bodies<T>& bodies, const char* name, std::size_t place, std::size_t i) {
-  if (i < bodies.size()) return;
-  std::string path = "pairs[";
-  path += std::to_string(place);
-  path += "].";
-  path += name;
-  std::string expectation = "a place below ";
-  expectation += std::to_string(bodies.size());
-  validate::fail(path, expectation, static_cast<double>(i));
-}
-
-}  // namespace
-
-template <class T>
-Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs)
-    : a_(a), b_(b), pairs_(pairs), size_(pairs.size()) {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    check_poses(a, "a", i, pairs[i].a);
-    check_poses(b, "b", i, pairs[i].b);
-  }
-}
-
-template <class T>
-Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
-    : a_(a),
-      b_(b),
-      size_(a.size() == 1   ? b.size()
-            : b.size() == 1 ? a.size()
-                            : std::max(a.size(), b.size())) {
-  if (a.size() != b.size() && a.size() != 1 && b.size() != 1)
-    validate::fail("b", "as many bodies as a, or one", static_cast<double>(b.size()));
-}
 
 namespace {
 
@@ -65,7 +18,7 @@ struct Overlaps {
 
   static constexpr const LanePairSet& kernels = with_overlap_rows;
   Answer single(std::size_t i) const {
-    return ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
+    return batch.visit(i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
   }
   template <HasOverlapRows P>
   static std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool, Answer* to, std::uint8_t* unknown) {
@@ -79,7 +32,7 @@ struct Distances {
 
   static constexpr const LanePairSet& kernels = with_distance_rows;
   Answer single(std::size_t i) const {
-    return ask(batch, i, [](const auto&... pair) { return distance(pair...); });
+    return batch.visit(i, [](const auto&... pair) { return distance(pair...); });
   }
   template <HasDistanceRows P>
   static std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool turned, Answer* to,
@@ -157,7 +110,6 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template class Batch<T>;                                                                                             \
   template void overlap(const Batch<T>&, std::vector<std::uint8_t>&);                                                  \
   template void distance(const Batch<T>&, std::vector<Distance<T>>&);
 GRAZE_INSTANTIATE(float)

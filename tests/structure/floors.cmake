@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 set(floors
     "^src/simd/|^include/graze/(detail/)?[a-z0-9_]+\\.hpp$"
     "^src/shape/|^include/graze/(shape[./]|swept\\.hpp$)"
-    "^src/(narrow|cast|rays|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs|pair_changes)\\.hpp$)"
+    "^src/(narrow|cast|rays|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs|pair_changes|batch_pairs)\\.hpp$)"
     "^src/composite/"
     "^src/query/|^include/graze/(query|feature_corners|cast|raycast|typed_query|batch|batch_raycast|contact_motion)\\.hpp$"
     "^src/world/|^include/graze/(world[./]|slide\\.hpp$|plane/(reduce|slide|space|world)\\.hpp$)"

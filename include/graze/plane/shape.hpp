@@ -16,6 +16,7 @@
 #include "graze/plane/shape/outlined.hpp"
 #include "graze/plane/shape/round.hpp"
 #include "graze/plane/shape/user_convex.hpp"
+#include "graze/shape/listed.hpp"
 
 namespace graze::plane {
 
@@ -26,59 +27,32 @@ using ShapeList = std::variant<Circle<T>, Capsule<T>, Box<T>, Segment<T>, Convex
 
 /// A shape of the plane of any kind, with its rounding: a value.
 template <class T>
-class Shape {
+class Shape : public ListedShape<ShapeList<T>, T> {
  public:
-  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< number of kinds
-
   /// `concrete`, rounded by `rounding`: the Minkowski sum with a disc of that radius, which of a compound is each child
   /// grown by it. Throws `InvalidValue` for a rounding that is negative or larger than `largest_magnitude`.
   template <class C>
   requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T rounding = T(0))
-      : list_(std::move(concrete)), rounding_(validate::extent(rounding, "rounding")) {}
-
-  /// The rounding radius: that of the disc in the Minkowski sum.
-  T rounding() const { return rounding_; }
-  /// The kind of the shape: its index in `ShapeList`.
-  std::size_t index() const { return list_.index(); }
-  /// The name of the kind in files and messages.
-  const char* name() const {
-    return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
-  }
+      : ListedShape<ShapeList<T>, T>(std::move(concrete), validate::extent(rounding, "rounding")) {}
 
   /// Whether the shape is one convex piece.
   bool convex() const {
-    return visit([](const auto& c) {
+    return this->visit([](const auto& c) {
       using C = std::decay_t<decltype(c)>;
       return !std::is_same_v<C, Polygon<T>> && !std::is_same_v<C, Chain<T>> && !std::is_same_v<C, Compound<T>>;
     });
   }
-
-  /// The shape as `C`, or null when it is of another kind.
-  template <class C>
-  const C* as() const {
-    return std::get_if<C>(&list_);
-  }
-  /// Calls `f` with the shape as an object of the class of its kind.
-  template <class F>
-  decltype(auto) visit(F&& f) const {
-    return visit_from<0>(std::forward<F>(f));
-  }
-
- private:
-  /// A chain of comparisons that compilers turn into one jump, where `std::visit` calls through a table.
-  template <std::size_t I, class F>
-  decltype(auto) visit_from(F&& f) const {
-    if constexpr (I + 1 == count) {
-      return f(*std::get_if<I>(&list_));
-    } else {
-      if (list_.index() == I) return f(*std::get_if<I>(&list_));
-      return visit_from<I + 1>(std::forward<F>(f));
-    }
-  }
-
-  ShapeList<T> list_;
-  T rounding_;
 };
+
+namespace detail {
+
+/// The index of a kind in `ShapeList`.
+template <class C, class T>
+constexpr std::size_t kind_of() {
+  return Shape<T>::template index_of<C>();
+}
+
+}  // namespace detail
 
 using Shapef = Shape<float>;
 using Shaped = Shape<double>;
