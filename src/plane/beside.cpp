@@ -5,6 +5,7 @@
 
 #include "plane/compound_data.hpp"
 #include "plane/joined.hpp"
+#include "plane/nearest.hpp"
 
 namespace graze::plane {
 
@@ -92,9 +93,10 @@ Range inside(const Core<T>& core, const Line& line, Range range, double depth) {
   return range;
 }
 
-/// The directions in which a core goes on from a point that it touches within `step`, none where it does not.
+/// The directions in which a core goes on from a point that it touches within `step`, none where it does not: those of
+/// its outline and, between two that are opposite, the one that leads inside.
 struct Tangents {
-  std::array<Vec2d, 2> along{};
+  std::array<Vec2d, 3> along{};
   std::size_t count = 0;
   bool buried = false;  ///< whether the point is inside
 };
@@ -102,7 +104,7 @@ struct Tangents {
 /// The tangents at the nearest point of a smooth outline, `out` outside of which a point is; `n` is the normal there.
 Tangents smooth_tangents(double out, const Vec2d& n, double step) {
   if (out > step) return {};
-  return {{right(n), left(n)}, 2, out < -step};
+  return {{right(n), left(n), -n}, 3, out < -step};
 }
 
 /// The tangents of a polygon or a segment whose edges are moved outwards by `grown`, with round corners.
@@ -133,7 +135,7 @@ Tangents shrunk_tangents(const Core<T>& core, const Vec2d& at, double shrunk, do
     if (out > step) return {};
     if (out < -step) continue;
     if (all.count > 0) return {{}, 0, true};
-    all = {{right(n), left(n)}, 2, false};
+    all = {{right(n), left(n), -n}, 3, false};
   }
   return all;
 }
@@ -158,10 +160,36 @@ Tangents tangents(const Core<T>& core, const Vec2d& at, double rounding, double 
   for (std::uint32_t i = 0; i < core.count; ++i) {
     const Vec2d from = at - core.vertex(i), leaving = normalized(core.edge(i));
     const double out = dot(from, right(leaving)), on = dot(from, leaving);
-    if (std::abs(out) <= step && on > 0 && on < length(core.edge(i))) return {{leaving, -leaving}, 2, false};
+    if (std::abs(out) <= step && on > 0 && on < length(core.edge(i)))
+      return {{leaving, -leaving, left(leaving)}, std::size_t(core.count > 2 ? 3 : 2), false};
     buried = buried && out < 0;
   }
   return {{}, 0, buried};
+}
+
+/// Whether a point lies in a core, or no further than `step` over one of its straight sides.
+template <class T>
+bool holds(const Core<T>& core, const Vec2d& at, double step) {
+  if (core.kind == CoreKind::half_plane) return at.y <= core.radius + step;
+  if (core.kind != CoreKind::polygon || core.count < 2) return false;
+  bool within = core.count > 2;
+  for (std::uint32_t i = 0; i < core.count; ++i) {
+    const Vec2d from = at - core.vertex(i), edge = core.edge(i);
+    const double out = dot(from, normalized(right(edge))), on = dot(from, edge);
+    if (out >= 0 && out <= core.radius + step && on >= 0 && on <= length_squared(edge)) return true;
+    if (length(from) <= core.radius - step) return true;
+    within = within && out <= 0;
+  }
+  return within;
+}
+
+/// Calls `f(n)` with the directions, in the frame of a core, in which a mover may press against one of its vertices:
+/// towards the nearest point of the mover or, if that is a polygon around the vertex, against the mover's edges.
+template <class T, class F>
+void for_each_way_to(const Core<T>& mover, const Pose2d& mover_in, const Vec2d& vertex, double size, const F& f) {
+  const Nearest found = nearest(polygon_core<T>(0, plane::converted<T>(vertex)), mover, mover_in, size);
+  if (found.distance > 0 || mover.kind != CoreKind::polygon) return f(found.normal);
+  for (std::uint32_t i = 0; i < mover.count; ++i) f(-rotate(mover_in.rotation, normalized(right(mover.edge(i)))));
 }
 
 /// Normals from one unit vector counter-clockwise to another, at most half a turn.
@@ -174,11 +202,10 @@ struct Normals {
     const bool keeps_first = dot(first, t) <= in_line, keeps_last = dot(last, t) <= in_line;
     if (keeps_first && keeps_last) return;
     none = none || !(keeps_first || keeps_last);
-    // The bound between the two that are left, a quarter turn from `t`.
+    // The bound between the two that are left, a quarter turn from `t`; one normal is left where the two are in line.
     const Vec2d& kept = keeps_first ? first : last;
     const double turn = keeps_first ? cross(kept, left(t)) : cross(left(t), kept);
-    const bool is_left = std::abs(turn) > in_line ? turn > 0 : dot(left(t), kept) > 0;
-    (keeps_first ? last : first) = is_left ? left(t) : right(t);
+    (keeps_first ? last : first) = std::abs(turn) <= in_line ? kept : turn > 0 ? left(t) : right(t);
   }
 };
 
@@ -327,6 +354,32 @@ bool Ground<T>::restrict_normals(const Core<T>& core, std::uint32_t i, const Mee
   return touched;
 }
 
+/// Whether the disc at a vertex, wherever the mover may press against it beside the core's own edges, is inside of the
+/// pieces around it or level with them: an edge of a piece with a smaller rounding that begins at the top of the disc
+/// leaves it behind only little by little. Pieces with the same rounding or a larger one have left no such normals.
+template <class T>
+bool Ground<T>::is_buried(const Core<T>& core, std::uint32_t i, const Meeting& meeting, double step,
+                          const OutlineVertex& vertex) const {
+  if (!(core.radius > 0)) return false;
+  const Vec2d center = core.vertex(i), in_world = transform(meeting.pose, center);
+  const auto is_near = [&](const Piece& piece) {
+    return !is_same(piece, core) && !piece.around.is_beyond(in_world, core.radius + 2 * step);
+  };
+  const auto is_sharper = [&](const Piece& piece) { return piece.core.radius < core.radius - step && is_near(piece); };
+  if (std::none_of(pieces_.begin(), pieces_.end(), is_sharper)) return false;
+  bool meets = false, bare = false;
+  const Pose2d mover_in = relative(meeting.pose, meeting.mover_pose);
+  for_each_way_to(meeting.mover, mover_in, center, meeting.pair_size, [&](const Vec2d& n) {
+    if (bare || !(dot(n, vertex.arriving) > in_line && dot(n, vertex.leaving) < -in_line)) return;
+    meets = true;
+    const Vec2d at = transform(meeting.pose, center + n * core.radius);
+    bare = std::none_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+      return is_near(piece) && holds(piece.core, inverse_transform(piece.pose, at), step);
+    });
+  });
+  return meets && !bare;
+}
+
 /// Fits the outline of a core, seen from one side if it is a chain's segment, into the ground. Returns whether anything
 /// beside it matters.
 template <class T>
@@ -342,7 +395,11 @@ bool Ground<T>::outline_of_side(const Core<T>& core, const Meeting& meeting, dou
     matters = matters || covered[i] != 0;
   }
   for (std::uint32_t i = 0; i < core.count; ++i) {
-    const bool touched = restrict_normals(core, i, meeting, mover_in.translation, step, side[i]);
+    bool touched = restrict_normals(core, i, meeting, mover_in.translation, step, side[i]);
+    if (side[i].kind == Kind::convex && is_buried(core, i, meeting, step, side[i])) {
+      side[i].kind = Kind::reflex;
+      touched = true;
+    }
     matters = matters || touched;
     leave_covered(covered[core.previous(i)] != 0, covered[i] != 0, touched, side[i]);
   }
@@ -396,8 +453,8 @@ bool contacts_beside(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
     visit_near([&](const LeafPair<T>& pair) {
       const double size = least(pair.extent_a, pair.extent_b);
       Core<T> core_a = pair.a, core_b = pair.b;
-      ground_a.outline(core_a, {pair.pose_a, pair.b, pair.pose_b, size}, outline_a);
-      ground_b.outline(core_b, {pair.pose_b, pair.a, pair.pose_a, size}, outline_b);
+      ground_a.outline(core_a, {pair.pose_a, pair.b, pair.pose_b, size, pair.size()}, outline_a);
+      ground_b.outline(core_b, {pair.pose_b, pair.a, pair.pose_a, size, pair.size()}, outline_b);
       see(LeafPair<T>{core_a, core_b, pair.pose_a, pair.pose_b, pair.extent_a, pair.extent_b, pair.piece_a,
                       pair.piece_b});
     });

@@ -48,7 +48,8 @@ class Ground {
     const Pose2d& pose;
     const Core<T>& mover;
     const Pose2d& mover_pose;
-    double size;  ///< of the smaller of the two
+    double size;       ///< of the smaller of the two
+    double pair_size;  ///< of the two together
   };
   /// Sets `outline` to that of a piece of the body as far as it faces what meets it, of a chain's segment seen from
   /// both sides, and makes it the core's; an empty one where nothing beside it matters.
@@ -66,6 +67,8 @@ class Ground {
               double step) const;
   bool restrict_normals(const Core<T>& core, std::uint32_t i, const Meeting& meeting, const Vec2d& mover_center,
                         double step, OutlineVertex& vertex) const;
+  bool is_buried(const Core<T>& core, std::uint32_t i, const Meeting& meeting, double step,
+                 const OutlineVertex& vertex) const;
   bool outline_of_side(const Core<T>& core, const Meeting& meeting, double step, std::span<OutlineVertex> side) const;
 
   std::span<const PlacedRef<T>> around_;

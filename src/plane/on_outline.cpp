@@ -98,9 +98,9 @@ bool lies_within(const Core<T>& core, std::uint32_t i, const Vec2d& n) {
 }
 
 /// Calls `f(n, i, edge, own)` with the outward normals of a core's outline at its edges and beside them: a vertex on
-/// the line with that normal, the core's own edge there, and whether the normal is that edge's. At a reflex vertex of a
-/// solid the edges beside a piece bound it as well where they end at its tip: what comes in over a valley's bottom is
-/// pushed out by the slopes, not by what bounds the piece on its far side.
+/// the line with that normal, the core's own edge there, and whether the normal is that edge's. An edge's own normal
+/// comes once. At a reflex vertex of a solid the edges beside a piece bound it as well where they end at its tip: what
+/// comes in over a valley's bottom is pushed out by the slopes, not by what bounds the piece on its far side.
 template <class T, class F>
 void for_each_normal(const Core<T>& core, F&& f) {
   if (core.kind != CoreKind::polygon || core.count < 2) return;
@@ -110,12 +110,14 @@ void for_each_normal(const Core<T>& core, F&& f) {
       continue;
     }
     const OutlineVertex& v = core.outline[i];
+    const OutlineVertex& before = core.outline[core.previous(i)];
     const Vec2d leaving = right(v.leaving), arriving = right(v.arriving);
     if (v.outer) f(leaving, i, i, true);
     if (v.kind != Kind::convex && (v.kind != Kind::reflex || core.chain)) continue;
     const auto bounds = [&](const Vec2d& n) { return v.kind == Kind::convex || lies_within(core, i, n); };
-    if (!v.outer && bounds(leaving)) f(leaving, i, core.previous(i), false);
-    if (!core.outline[core.previous(i)].outer && bounds(arriving)) f(arriving, i, i, false);
+    const bool same_leaving = before.outer && v.leaving == before.leaving, same_arriving = v.arriving == v.leaving;
+    if (!v.outer && !same_leaving && bounds(leaving)) f(leaving, i, core.previous(i), false);
+    if (!before.outer && !(v.outer && same_arriving) && bounds(arriving)) f(arriving, i, i, false);
   }
 }
 

@@ -15,10 +15,44 @@ using slides::Random;
 using slides::uniform;
 
 /// Kinds of ground along the x axis, its surface at y = 0.
-enum class Tiles { boxes, segments, polygons, overlapping, slabs_in_half_plane, foundation, mixed, rounded, chains };
+enum class Tiles {
+  boxes,
+  segments,
+  polygons,
+  overlapping,
+  slabs_in_half_plane,
+  foundation,
+  mixed,
+  rounded,
+  chains,
+  fine,              ///< boxes of 1 to 5 cm
+  fine_rounded,      ///< with a rounding of 1 cm
+  fine_unlike,       ///< with different roundings, most of which reach over the next few boxes
+  fine_overlapping,  ///< these, of which each begins within the one before
+  unlike             ///< large boxes with different roundings, one begun within the other
+};
 constexpr Tiles all_tiles[] = {
-    Tiles::boxes,      Tiles::segments, Tiles::polygons, Tiles::overlapping, Tiles::slabs_in_half_plane,
-    Tiles::foundation, Tiles::mixed,    Tiles::rounded,  Tiles::chains};
+    Tiles::boxes,        Tiles::segments,    Tiles::polygons,         Tiles::overlapping, Tiles::slabs_in_half_plane,
+    Tiles::foundation,   Tiles::mixed,       Tiles::rounded,          Tiles::chains,      Tiles::fine,
+    Tiles::fine_rounded, Tiles::fine_unlike, Tiles::fine_overlapping, Tiles::unlike};
+
+bool is_fine(Tiles tiles) {
+  return tiles == Tiles::fine || tiles == Tiles::fine_rounded || tiles == Tiles::fine_unlike ||
+         tiles == Tiles::fine_overlapping;
+}
+bool overlap(Tiles tiles) {
+  return tiles == Tiles::overlapping || tiles == Tiles::fine_overlapping || tiles == Tiles::unlike;
+}
+
+/// Radius of one of the tiles, for those that are rounded boxes.
+double radius_of(Tiles tiles, Random& random) {
+  switch (tiles) {
+  case Tiles::fine: return 0;
+  case Tiles::fine_rounded: return 0.01;
+  case Tiles::unlike: return uniform(random, 0.02, 0.15);
+  default: return uniform(random, 0.001, 0.1);
+  }
+}
 
 /// Radius of rounded tiles.
 constexpr double rounding = 0.1;
@@ -29,19 +63,24 @@ class Scene {
   /// The ground turned by `angle` about the origin and moved by `to`; `whole`: of one body, a compound.
   Scene(Tiles tiles, double angle, Vec2d to, Random& random, bool whole = false)
       : angle_(angle), to_(to), whole_(whole) {
-    double x = -3;
+    const double end = is_fine(tiles) ? 1.2 : 3;
+    double x = -end;
     if (tiles == Tiles::slabs_in_half_plane) fix(HalfPlane<T>(), {0, 0});
     if (tiles == Tiles::foundation) {
       fix(HalfPlane<T>(), {0, 0});
       for (int i = 0; i < 3; ++i) fix(Box<T>({T(0.7), T(0.4)}), {-1.0 + 0.9 * i, -0.205});
     }
-    while (tiles != Tiles::foundation && x < 3) {
-      const double width = uniform(random, 0.2, 1.5), height = uniform(random, 0.2, 1), middle = x + width / 2;
+    while (tiles != Tiles::foundation && x < end) {
+      const double width = is_fine(tiles) ? uniform(random, 0.01, 0.05) : uniform(random, 0.2, 1.5),
+                   height = uniform(random, 0.2, 1), middle = x + width / 2;
       const int kind = tiles == Tiles::mixed ? int(uniform(random, 0, 3)) : int(tiles);
       if (kind == int(Tiles::segments)) {
         fix(Segment<T>({T(-width / 2), T(0)}, {T(width / 2), T(0)}), {middle, 0});
       } else if (kind == int(Tiles::rounded)) {
         fix({Box<T>({T(width), T(height)}), T(rounding)}, {middle, -height / 2 - rounding});
+      } else if (is_fine(tiles) || tiles == Tiles::unlike) {
+        const double radius = radius_of(tiles, random);
+        fix({Box<T>({T(width), T(height)}), T(radius)}, {middle, -height / 2 - radius});
       } else if (kind == int(Tiles::chains)) {
         const double bend = uniform(random, -width / 3, width / 3);
         fix(Chain<T>(std::vector<Vec2<T>>{{T(width / 2), T(0)}, {T(bend), T(0)}, {T(-width / 2), T(0)}}), {middle, 0});
@@ -51,7 +90,7 @@ class Scene {
       } else {
         fix(Box<T>({T(width), T(height)}), {middle, -height / 2});
       }
-      x += tiles == Tiles::overlapping ? 0.7 * width : width;
+      x += overlap(tiles) ? 0.7 * width : width;
     }
   }
   Scene() = default;
@@ -148,7 +187,7 @@ std::size_t expect_no_seams(bool whole, const std::vector<Shape<T>>& sliders, do
     for (const auto& [angle, at] :
          {std::pair(0.0, Vec2d{0, 0}), std::pair(0.7, Vec2d{0, 0}), std::pair(2.0, Vec2d{100, -70})})
       for (std::size_t s = 0; s < sliders.size(); ++s)
-        for (int k = 0; k < 30; ++k) {
+        for (int k = 0; k < (is_fine(tiles) ? 15 : 30); ++k) {
           // Tiles that meet in a point leave a gap below it, in which a part of a body finds a side to push. Segments
           // in one compound miss a corner that lies on the end of two.
           const Shape<T> slider = sliders[s];
@@ -159,7 +198,7 @@ std::size_t expect_no_seams(bool whole, const std::vector<Shape<T>>& sliders, do
           Scene<T> scene(tiles, angle, at, random, whole);
           scene.lay();
           const double lean = k % 3 == 0 ? 0 : uniform(random, -0.03, 0.03), sunk = uniform(random, 0, 0.02),
-                       x = uniform(random, -1.5, 1.5);
+                       middle = is_fine(tiles) ? 0.3 : 1.5, x = uniform(random, -middle, middle);
           const BodyId body = scene.add(slider, {x, height_of(slider, lean, sunk)}, lean);
           scene.world.update();
           ++poses;
