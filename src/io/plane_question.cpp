@@ -1,5 +1,7 @@
 #include "io/plane_question.hpp"
 
+#include "io/question_parts.hpp"
+
 namespace graze::io {
 
 namespace {
@@ -146,14 +148,6 @@ PlaneBody<T> read_plane_body(const JsonValue& json) {
   return body;
 }
 
-template <class T>
-void read_plane_ray(const JsonValue& json, PlaneQuestion<T>& q) {
-  json.keys({"origin", "direction", "length"});
-  q.ray = plane::Ray<T>{read_vector2<T>(json.at("origin")), read_vector2<T>(json.at("direction"))};
-  if (q.ray->direction == plane::Vec2<T>{}) json.at("direction").fail("a direction that is not zero");
-  if (const auto l = json.find("length")) q.ray_length = l->length<T>();
-}
-
 /// Checks a motion: the end of a body's way is a coordinate like any other, and a half-plane does not turn.
 template <class T>
 void check_plane_motion(const JsonValue& json, const PlaneBody<T>& body, T duration) {
@@ -173,25 +167,8 @@ bool in_the_plane(const Json& question) {
 
 template <class T>
 PlaneQuestion<T> read_plane_question(const JsonValue& json) {
-  json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "limit", "explain"});
   PlaneQuestion<T> q;
-  q.query = read_query_kind(json.at("query"));
-  json.at("a");
-  if (q.query != QueryKind::raycast && q.query != QueryKind::closest) json.at("b");
-  q.a = read_plane_body<T>(json.at("a"));
-  if (const auto b = json.find("b")) q.b = read_plane_body<T>(*b);
-  if (const auto m = json.find("margin")) q.margin = m->length<T>();
-  if (const auto r = json.find("ray")) read_plane_ray(*r, q);
-  if (const auto p = json.find("point")) q.point = read_vector2<T>(*p);
-  if (const auto d = json.find("duration")) q.duration = d->length<T>();
-  if (const auto l = json.find("limit")) {
-    if (q.query != QueryKind::distance) l->fail("no limit for this query");
-    q.limit = l->length<T>();
-  }
-  if (const auto e = json.find("explain")) q.explain = e->boolean();
-
-  if (q.query == QueryKind::raycast && !q.ray) json.at("ray");
-  if (q.query == QueryKind::closest && !q.point) json.at("point");
+  read_parts(json, 2, read_plane_body<T>, read_vector2<T>, q);
   if (q.query == QueryKind::cast) {
     check_plane_motion(json.at("a"), *q.a, q.duration);
     check_plane_motion(json.at("b"), *q.b, q.duration);

@@ -16,18 +16,9 @@ struct PlaneBody {
   plane::Velocity<T> velocity{};
 };
 
+/// A question in two dimensions.
 template <class T>
-struct PlaneQuestion {
-  QueryKind query = QueryKind::overlap;
-  std::optional<PlaneBody<T>> a, b;
-  T margin = T(0);
-  std::optional<plane::Ray<T>> ray;
-  T ray_length = std::numeric_limits<T>::infinity();
-  std::optional<plane::Vec2<T>> point;
-  T duration = T(1);
-  std::optional<T> limit;
-  bool explain = false;
-};
+using PlaneQuestion = QuestionOf<T, PlaneBody<T>, plane::Ray<T>, plane::Vec2<T>>;
 
 /// Whether the question is one of the plane. A `dimension` that is neither 2 nor 3 is refused by `read_question`.
 bool in_the_plane(const Json& question);

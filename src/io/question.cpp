@@ -1,5 +1,7 @@
 #include "io/question.hpp"
 
+#include "io/question_parts.hpp"
+
 namespace graze::io {
 
 QueryKind read_query_kind(const JsonValue& json) {
@@ -25,15 +27,6 @@ MovingBody<T> read_body(const JsonValue& json) {
   return body;
 }
 
-template <class T>
-Ray<T> read_ray(const JsonValue& json, T& length) {
-  json.keys({"origin", "direction", "length"});
-  const Ray<T> ray{json.at("origin").vector<T>(), json.at("direction").vector<T>()};
-  if (ray.direction == Vec3<T>{}) json.at("direction").fail("a direction that is not zero");
-  if (const auto l = json.find("length")) length = l->length<T>();
-  return ray;
-}
-
 /// Checks a body's way: its end is a coordinate like any other.
 template <class T>
 void check_journey(const JsonValue& json, const MovingBody<T>& body, T duration) {
@@ -42,8 +35,6 @@ void check_journey(const JsonValue& json, const MovingBody<T>& body, T duration)
     json.at("linear").fail("a velocity that leads no further than " +
                            validate::number(static_cast<double>(largest_magnitude<T>)) + " within the duration");
 }
-
-bool asks_for_two(QueryKind query) { return query != QueryKind::raycast && query != QueryKind::closest; }
 
 template <class T>
 bool is_half_space(const MovingBody<T>& body) {
@@ -62,27 +53,9 @@ Quat<T> read_rotation(const JsonValue& json) {
 
 template <class T>
 Question<T> read_question(const JsonValue& json) {
-  json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "limit", "explain"});
   Question<T> q;
-  q.query = read_query_kind(json.at("query"));
-  if (const auto d = json.find("dimension"))
-    if (d->json() != 3) d->fail("2 or 3");
-  json.at("a");
-  if (asks_for_two(q.query)) json.at("b");
-  q.a = read_body<T>(json.at("a"));
-  if (const auto b = json.find("b")) q.b = read_body<T>(*b);
-  if (const auto m = json.find("margin")) q.margin = m->length<T>();
-  if (const auto r = json.find("ray")) q.ray = read_ray<T>(*r, q.ray_length);
-  if (const auto p = json.find("point")) q.point = p->vector<T>();
-  if (const auto d = json.find("duration")) q.duration = d->length<T>();
-  if (const auto l = json.find("limit")) {
-    if (q.query != QueryKind::distance) l->fail("no limit for this query");
-    q.limit = l->length<T>();
-  }
-  if (const auto e = json.find("explain")) q.explain = e->boolean();
-
-  if (q.query == QueryKind::raycast && !q.ray) json.at("ray");
-  if (q.query == QueryKind::closest && !q.point) json.at("point");
+  read_parts(
+      json, 3, read_body<T>, [](const JsonValue& vector) { return vector.vector<T>(); }, q);
   if (q.query == QueryKind::cast) {
     check_journey(json.at("a"), *q.a, q.duration);
     check_journey(json.at("b"), *q.b, q.duration);

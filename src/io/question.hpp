@@ -1,6 +1,7 @@
 // A question of the protocol, as data.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -19,18 +20,23 @@ struct MovingBody {
   Vec3<T> linear{}, angular{};
 };
 
-template <class T>
-struct Question {
+/// A question, over the types of its space: a body that moves, a ray and a point.
+template <class T, class Body, class RayOfSpace, class Point>
+struct QuestionOf {
   QueryKind query = QueryKind::overlap;
-  std::optional<MovingBody<T>> a, b;
+  std::optional<Body> a, b;
   T margin = T(0);
-  std::optional<Ray<T>> ray;
+  std::optional<RayOfSpace> ray;
   T ray_length = std::numeric_limits<T>::infinity();
-  std::optional<Vec3<T>> point;
+  std::optional<Point> point;
   T duration = T(1);
   std::optional<T> limit;
   bool explain = false;
 };
+
+/// A question in three dimensions.
+template <class T>
+using Question = QuestionOf<T, MovingBody<T>, Ray<T>, Vec3<T>>;
 
 /// The query that a question names.
 QueryKind read_query_kind(const JsonValue& json);
