@@ -11,8 +11,10 @@
 #include "composite/flat_faces.hpp"
 #include "composite/internal_edges/ghost_contacts.hpp"
 #include "composite/internal_edges/sphere_capsule_on_surface.hpp"
+#include "composite/internal_edges/voronoi_neighbours.hpp"
 #include "composite/leaf_pairs.hpp"
 #include "composite/merge_manifolds.hpp"
+#include "composite/solid.hpp"
 #include "composite/triangle_run.hpp"
 #include "composite/ways_out.hpp"
 #include "narrow/pair_table.hpp"
@@ -43,12 +45,28 @@ bool from_behind(const Part<T>& a, const Part<T>& b, Pushes reason, const Vec3<T
   return (a.pushes == reason && from_behind(a, normal)) || (b.pushes == reason && from_behind(b, -normal));
 }
 
+/// Whether a normal leads out of the body that a mesh bounds, at a place on the mesh that it may leave there: nothing
+/// around rises above the plane through the place, and the mesh does not enclose what lies a little further along. So
+/// it is on an edge where the faces bend by more than a right angle: between them are normals that one of the two has
+/// behind it.
+template <class T>
+bool leaves_body(const LeafInContext<T>& self, const Vec3<T>& place, const Vec3<T>& outward) {
+  constexpr T further = T(10) * on_piece<T>;  // a part of the piece, far more than what a place may be off by
+  const auto* mesh = self.whole.template as<Mesh<T>>();
+  if (!mesh || neighbour_outside_region(self, place, outward, Among::all)) return false;
+  const Vec3<T> beyond = place + outward * (further * max_abs(bounds(self.piece, self.pose).extent()));
+  return !encloses(mesh->data(), converted<double>(inverse_transform(self.whole_pose, beyond)));
+}
+
 /// Sets the numbers of the pieces that a manifold is of.
 template <class T>
 void name_pieces(Manifold<T>& manifold, const Part<T>& a, const Part<T>& b) {
   manifold.piece_a = a.number;
   manifold.piece_b = b.number;
 }
+
+/// The worth of a last resort: its normal leads into a body; it is none of the surface's; it is one of the surface's.
+enum class Worth : std::uint8_t { inward, ghost, real };
 
 /// The contact of a triangle that was passed over as a ghost while nothing nearer was known.
 template <class T>
@@ -71,8 +89,9 @@ struct TouchingPieces {
   FlatFaces<T> faces{a, b, margin, beside.empty()};
   WaysOut<T> ways_out = {};
   T least_distance = std::numeric_limits<T>::infinity();
-  Manifold<T> instead = {};                ///< the last resort, where nothing else is left
-  bool instead_is_ghost = false;           ///< its normal is none of the surface's
+  Manifold<T> instead = {};  ///< the last resort, where nothing else is left
+  Worth instead_worth = Worth::real;
+  T instead_distance = std::numeric_limits<T>::infinity();
   std::optional<NearGhost<T>> ghost = {};  ///< the last resort, if it is still to be laid along the surface
 
   void operator()(const Part<T>& pa, const Part<T>& pb) {
@@ -160,14 +179,25 @@ struct TouchingPieces {
   struct Taken {
     bool behind;  ///< it leads from the back of a surface that pushes outward
     Manifold<T> manifold, instead;
-    bool instead_is_ghost;
+    Worth instead_worth;
   };
   Taken settled(const Part<T>& pa, const Part<T>& pb, T distance, const Manifold<T>& manifold) const {
-    Settled<T> found =
-        settle_normal(in_context(a, pa, beside.of_a), in_context(b, pb, beside.of_b), margin, manifold, distance);
-    const bool behind = from_behind(pa, pb, Pushes::outward, found.manifold.normal);
+    const LeafInContext<T> self_a = in_context(a, pa, beside.of_a), self_b = in_context(b, pb, beside.of_b);
+    Settled<T> found = settle_normal(self_a, self_b, margin, manifold, distance);
+    const bool behind = enters_body(self_a, pa, found.manifold, true) || enters_body(self_b, pb, found.manifold, false);
     if (behind && distance <= T(0)) found.instead = found.manifold;
-    return {behind, found.manifold, found.instead, found.instead_is_ghost};
+    const Worth worth = from_behind(pa, pb, Pushes::outward, found.instead.normal) ? Worth::inward
+                        : found.instead_is_ghost                                   ? Worth::ghost
+                                                                                   : Worth::real;
+    return {behind, found.manifold, found.instead, worth};
+  }
+
+  /// Whether a contact leads from the back of a piece that pushes outward alone, and into the body.
+  static bool enters_body(const LeafInContext<T>& self, const Part<T>& piece, const Manifold<T>& manifold, bool of_a) {
+    const Vec3<T> outward = of_a ? manifold.normal : -manifold.normal;
+    if (piece.pushes != Pushes::outward || !from_behind(piece, outward)) return false;
+    const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
+    return manifold.points.empty() || !leaves_body(self, standing_point<T>(manifold.points, side), outward);
   }
 
   /// Whether a contact would pull a body further into a solid mesh in which its middle is. Of a body that comes from
@@ -180,6 +210,18 @@ struct TouchingPieces {
     };
     return (met_from_behind(pa, normal) && ways_out.leads_out(pb, pa, false, margin)) ||
            (met_from_behind(pb, -normal) && ways_out.leads_out(pa, pb, true, margin));
+  }
+
+  /// Keeps a last resort if it is worth more than the one before, or as much and nearer. What is nearest and needs none
+  /// leaves none.
+  void keep_instead(const Taken& taken, T distance, bool nearest) {
+    const bool needed = !taken.instead.points.empty(), first = instead.points.empty();
+    const bool better = taken.instead_worth > instead_worth,
+               nearer = taken.instead_worth == instead_worth && distance < instead_distance;
+    if (needed ? !(better || nearer || (first && nearest)) : !nearest) return;
+    instead = taken.instead;
+    instead_worth = taken.instead_worth;
+    instead_distance = distance;
   }
 
   /// The manifold of a pair of pieces, and their distance.
@@ -196,13 +238,7 @@ struct TouchingPieces {
     name_pieces(manifold, pa, pb);
     Taken taken = settled(pa, pb, distance, manifold);
     if (pulls_in(pa, pb, distance, taken.manifold)) return;
-    // A normal that is the surface's is kept before one that is not, then what is nearest.
-    const bool real = instead_is_ghost && !taken.instead_is_ghost && !taken.instead.points.empty();
-    const bool worse = taken.instead_is_ghost && !instead_is_ghost && !instead.points.empty();
-    if (real || (nearest && !worse)) {
-      instead = taken.instead;
-      instead_is_ghost = taken.instead_is_ghost;
-    }
+    keep_instead(taken, distance, nearest);
     if (nearest) ghost.reset();
     if (taken.behind || taken.manifold.points.empty()) return;
     if (faces.stand(pa, pb, taken.manifold) == FlatFaces<T>::Standing::on_known_face) return;
