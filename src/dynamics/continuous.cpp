@@ -218,18 +218,20 @@ std::vector<std::uint32_t> fast_bodies(const SimulationParts<T, Space>& parts, T
 
 /// The time at which an impact holds its bodies back, `dt` for one that does not. Rows of contacts let bodies approach
 /// little: a body that slides fast is not held back by the one it slides on. A body that sinks beside the points of
-/// contact goes on by a part of what it may, or it would hang there.
+/// contact goes on by a part of what it may, or it would hang there; so does one that touches another and has no point
+/// of contact with it, until it overlaps that, which gives it one.
 template <class T, class Space>
 T holding_time(const SimulationParts<T, Space>& parts, const Impact<T, Space>& impact,
                std::span<const typename Space::Velocity> mean, T dt) {
   const std::uint32_t a = impact.a.index, b = impact.b.index;
   const ContactPair<T>* pair_met = met<T, Space>(parts.world.contacts(), a, b);
-  if (!pair_met) return impact.hit.t;
+  if (!pair_met && impact.hit.t > T(0)) return impact.hit.t;
   const auto shapes = parts.world.bodies().shapes();
   const MovingPair<T, Space> pair{shapes[a], shapes[b], parts.found_at[a], parts.found_at[b], mean[a], mean[b]};
   const T most = unasked_motion<T> * least(parts.bodies[a].depth, parts.bodies[b].depth);
   if (const std::optional<T> sunk = time_to_sink(pair, most, dt)) return greatest(impact.hit.t, *sunk);
-  const T left = greatest(most - depth_of<T, Space>(parts.world.contacts(), *pair_met), most * sunk_on<T>);
+  const T depth = pair_met ? depth_of<T, Space>(parts.world.contacts(), *pair_met) : most;
+  const T left = greatest(most - depth, most * sunk_on<T>);
   const T way = dot(mean[a].linear - mean[b].linear, impact.hit.normal) * dt;
   return greatest(impact.hit.t, way > left ? dt * (left / way) : dt);
 }
