@@ -34,6 +34,8 @@ struct SimulationSettings {
                                                 ///< fall by much of their size in a sub-step
   bool sleep = true;                            ///< islands at rest cost nothing and do not move
   bool continuous = true;                       ///< fast bodies do not pass through others
+  bool warm_start = true;                       ///< a sub-step begins with the impulses of contacts and joints that the
+                                                ///< last one ended with; without it with none: stacks sink and lean
   T longest_step = T(1);                        ///< longer steps are refused
 };
 

@@ -54,6 +54,9 @@ class Reading {
  public:
   explicit Reading(std::string_view bytes) : left_(bytes) {}
 
+  /// Whether settings of simulations tell if they are warm started; in older files they do not, and are.
+  bool has_warm_start = true;
+
   std::size_t left() const { return left_.size(); }
   /// Takes the next `count` bytes, or as many as are left.
   std::string_view take(std::size_t count) {
@@ -228,6 +231,9 @@ void fields(Io& io, Joint<T, Space>& joint) {
 template <class Io, class T, class Space>
 void fields(Io& io, SimulationSettings<T, Space>& s) {
   io(s.gravity, s.sub_steps, s.most_sub_steps, s.sleep, s.continuous, s.longest_step);
+  if constexpr (std::is_same_v<Io, Reading>)
+    if (!io.has_warm_start) return;
+  io(s.warm_start);
 }
 
 /// The settings but for the callback that decides about pairs, which is a function.

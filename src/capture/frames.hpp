@@ -13,8 +13,9 @@
 namespace graze::capture {
 
 /// The version of the format. A reader takes its own version and those before it from the oldest on: 3 has names of
-/// bodies, which 2 has not, and 4 has materials of pieces, which 3 has not; they are the same otherwise.
-inline constexpr std::uint16_t version = 4, oldest_version = 2;
+/// bodies, which 2 has not, 4 has materials of pieces, which 3 has not, and 5 has whether a simulation is warm started,
+/// which 4 has not; they are the same otherwise.
+inline constexpr std::uint16_t version = 5, oldest_version = 2, warm_start_version = 5;
 
 enum class Kind : std::uint8_t { world, simulation, plane_world, plane_simulation };
 

@@ -212,6 +212,7 @@ void play_frames(capture::FrameReader& frames, std::uint16_t version, ReplayRepo
   try {
     Settings settings;
     Reading io(*first);
+    io.has_warm_start = version >= capture::warm_start_version;
     io(settings);
     if (io.left() > 0) throw Damaged{"more than its settings"};
     played = std::make_unique<Played>(settings, executor);

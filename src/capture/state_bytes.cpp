@@ -15,7 +15,9 @@ namespace capture {
 /// The first bytes of a state. They hold the end of a line in two forms: a transfer that changes these has changed the
 /// rest too.
 constexpr std::string_view state_magic{"graze state\r\n\n", 14};
-constexpr std::uint16_t state_version = 2;
+/// The version of the format. A reader takes its own version and the one before it, which has not whether a simulation
+/// is warm started, and is the same otherwise.
+constexpr std::uint16_t state_version = 3, oldest_state_version = 2;
 
 template <class Io, class T>
 void fields(Io& io, FreeBody<T>& body) {
@@ -174,9 +176,9 @@ void check_state(Kept& kept) {
 }
 
 template <class T, class Space>
-std::string head() {
+std::string head(std::uint16_t version) {
   Writing head;
-  head(state_version, std::is_same_v<Space, plane::Space<T>>, std::is_same_v<T, float>);
+  head(version, std::is_same_v<Space, plane::Space<T>>, std::is_same_v<T, float>);
   return std::string(state_magic) + head.bytes;
 }
 
@@ -188,20 +190,21 @@ std::string state_bytes(const State<T, Space>& state) {
   capture::Writing body, sum;
   capture::fields_of_state(body, *state.kept_);
   sum(capture::checksum(body.bytes));
-  return capture::head<T, Space>() + sum.bytes + body.bytes;
+  return capture::head<T, Space>(capture::state_version) + sum.bytes + body.bytes;
 }
 
 template <class T, class Space>
 State<T, Space> read_state(std::string_view bytes) {
-  const std::string head = capture::head<T, Space>();
-  if (!bytes.starts_with(head)) {
-    if (!bytes.starts_with(capture::state_magic)) throw InvalidValue("state", "the bytes of a state", "other bytes");
-    throw InvalidValue("state", "a state of version 2 of this precision and dimension", "another one");
-  }
+  if (!bytes.starts_with(capture::state_magic)) throw InvalidValue("state", "the bytes of a state", "other bytes");
+  std::uint16_t version = capture::state_version;
+  while (version >= capture::oldest_state_version && !bytes.starts_with(capture::head<T, Space>(version))) --version;
+  if (version < capture::oldest_state_version)
+    throw InvalidValue("state", "a state of version 2 or 3 of this precision and dimension", "another one");
   State<T, Space> state;
   state.kept_ = std::make_unique<typename State<T, Space>::Kept>();
   try {
-    capture::Reading io(bytes.substr(head.size()));
+    capture::Reading io(bytes.substr(capture::head<T, Space>(version).size()));
+    io.has_warm_start = version > capture::oldest_state_version;
     std::uint64_t sum = 0;
     io(sum);
     if (sum != capture::checksum(bytes.substr(bytes.size() - io.left()))) throw capture::Damaged{"other bytes"};

@@ -297,14 +297,36 @@ void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
   solve_joints(bias);
 }
 
+/// Sets up the rows of contacts, with the impulses of the last step or none.
+template <class T, class Space>
+void IslandSolver<T, Space>::prepare_contacts(std::span<const SolverPoint<T, Space>> points, const StepTime<T>& whole) {
+  const T number = T(sub_steps_);
+  WarmStart<T> warm{};
+  if (whole.warm_start) warm = {whole.share / number, T(1) / number, weight() * whole.step / number};
+  each_bundle([&](const auto& kernels, const auto& bundle) {
+    kernels.prepare(bundle, bodies_.data(), points.data(), whole.step, warm);
+  });
+}
+
+/// Sets the rows of joints where the bodies are now, with the impulses of the last sub-step or none.
+template <class T, class Space>
+void IslandSolver<T, Space>::begin_joints(bool warm_start) {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
+    joints_[j].refresh(a, b);
+    if (warm_start)
+      joints_[j].warm_start(a, b);
+    else
+      joints_[j].start_cold();
+  }
+  joint_system_.factor(joints_, bodies_);
+}
+
 template <class T, class Space>
 void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points, const StepTime<T>& whole, T gravity) {
   contacts_.build(movable_);
-  const T step = whole.step, number = T(sub_steps_);
-  const WarmStart<T> warm{whole.share / number, T(1) / number, weight() * step / number};
-  each_bundle([&](const auto& kernels, const auto& bundle) {
-    kernels.prepare(bundle, bodies_.data(), points.data(), step, warm);
-  });
+  const T step = whole.step;
+  prepare_contacts(points, whole);
   const T h = step / T(sub_steps_);
   SubStep<T> time{h, T(1) / h, step, false};
   joints_.resize(joined_.size());
@@ -315,13 +337,11 @@ void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points
   const ContactStep<T> contact = contact_step(time, gravity, whole.usual_step, sub_steps_);
   for (int s = 0; s < sub_steps_; ++s) {
     begin_sub_step(time);
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
-      joints_[j].refresh(a, b);
-      joints_[j].warm_start(a, b);
-    }
-    joint_system_.factor(joints_, bodies_);
-    each_bundle([&](const auto& kernels, const auto& bundle) { kernels.warm_start(bundle, bodies_.data()); });
+    begin_joints(whole.warm_start);
+    if (whole.warm_start)
+      each_bundle([&](const auto& kernels, const auto& bundle) { kernels.warm_start(bundle, bodies_.data()); });
+    else if (s > 0)
+      prepare_contacts(points, whole);  // rows keep what they pushed
     for (int pass = 0; pass < (overlap_ ? pushing_passes : 1); ++pass) solve_rows(contact, true);
     move(time);
     if (by_mean_) arrive();

@@ -19,6 +19,7 @@ namespace graze {
 template <class T>
 struct StepTime {
   T step, usual_step, share;
+  bool warm_start;  ///< sub-steps begin with the impulses of the last one
 };
 
 template <class T, class Space>
@@ -52,7 +53,9 @@ class IslandSolver {
 
  private:
   void find_overlap(std::span<const SolverPoint<T, Space>> points, T step);
+  void prepare_contacts(std::span<const SolverPoint<T, Space>> points, const StepTime<T>& whole);
   void begin_sub_step(const SubStep<T>& time);
+  void begin_joints(bool warm_start);
   void move(const SubStep<T>& time);
   void end_sub_step();
   void turn_inertia(std::size_t i);

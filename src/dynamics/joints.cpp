@@ -132,6 +132,11 @@ void JointRows<T, Space>::warm_start(SolverBody<T, Space>& a, SolverBody<T, Spac
 }
 
 template <class T, class Space>
+void JointRows<T, Space>::start_cold() {
+  for (Row& row : rows_) row.impulse = T(0);
+}
+
+template <class T, class Space>
 void JointRows<T, Space>::arrive(SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
   for (const Row& row : rows_) push_row(row.at, row.impulse / T(-2), a, b);
   measure(a, b);
@@ -251,6 +256,7 @@ void JointRows<T, Space>::solve_soft(Row& row, SolverBody<T, Space>& a, SolverBo
 #define GRAZE_JOINTS(T, Space)                                                                                         \
   template void JointRows<T, Space>::refresh(const SolverBody<T, Space>&, const SolverBody<T, Space>&);                \
   template void JointRows<T, Space>::warm_start(SolverBody<T, Space>&, SolverBody<T, Space>&) const;                   \
+  template void JointRows<T, Space>::start_cold();                                                                     \
   template void JointRows<T, Space>::arrive(SolverBody<T, Space>&, SolverBody<T, Space>&);                             \
   template auto JointRows<T, Space>::wanted(const SolverBody<T, Space>&, const SolverBody<T, Space>&, bool)            \
       const->std::array<T, most_locked>;                                                                               \

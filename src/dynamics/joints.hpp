@@ -103,6 +103,8 @@ class JointRows {
   void refresh(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
   /// Applies the impulses of the last sub-step.
   void warm_start(SolverBody<T, Space>& a, SolverBody<T, Space>& b) const;
+  /// Drops the impulses of the last sub-step.
+  void start_cold();
   /// Computes the axes where the bodies are at the end of the sub-step, for the pass without bias after they have moved
   /// by the mean of their velocities.
   void arrive(SolverBody<T, Space>& a, SolverBody<T, Space>& b);

@@ -122,7 +122,7 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
           solver.add(touching, manifolds);
         });
   }
-  const StepTime<T> time{dt, usual_step, share};
+  const StepTime<T> time{dt, usual_step, share, settings.warm_start};
   solver.choose_sub_steps(contacts.points, time, gravity, settings.sub_steps, settings.most_sub_steps);
   solver.solve(contacts.points, time, gravity);
   solver.store(contacts.points);

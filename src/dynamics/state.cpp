@@ -102,6 +102,7 @@ void add_bits(BitHash& hash, const SimulationSettings<T, Space>& settings) {
   hash.add(settings.most_sub_steps);
   hash.add(settings.sleep);
   hash.add(settings.continuous);
+  hash.add(settings.warm_start);
   hash.add(settings.longest_step);
 }
 

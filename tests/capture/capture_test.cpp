@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <random>
 #include <sstream>
 
+#include "capture/frames.hpp"
 #include "graze/error.hpp"
 
 namespace graze::testing {
@@ -282,15 +284,30 @@ TEST(Capture, BodiesHaveTheNamesThatTheyWereGiven) {
   EXPECT_EQ(replayed(out.str()).names.of({0, 0}), "ball");
 }
 
-/// A capture as an earlier version wrote it: without the calls that came later it is the same but for its number.
-std::string of_version(char version, std::string file) {
-  EXPECT_EQ(file[16], 4);
-  file[16] = version;
+/// A capture of a simulation without the last of its settings.
+std::string without_warm_start(std::string file) {
+  constexpr std::size_t length_at = 20, sum_at = 28, settings_at = 36;
+  std::uint64_t size = 0;
+  std::memcpy(&size, file.data() + length_at, sizeof(size));
+  file.erase(settings_at + static_cast<std::size_t>(--size), 1);
+  const std::uint64_t sum =
+      capture::checksum(std::string_view(file).substr(settings_at, static_cast<std::size_t>(size)));
+  std::memcpy(file.data() + length_at, &size, sizeof(size));
+  std::memcpy(file.data() + sum_at, &sum, sizeof(sum));
   return file;
 }
 
+/// A capture as an earlier version wrote it: without the calls that came later it is the same but for its number and,
+/// of a simulation, the last setting.
+std::string of_version(char version, std::string file) {
+  EXPECT_EQ(file[16], 5);
+  const bool simulation = file[18] % 2 == 1;
+  file[16] = version;
+  return version < 5 && simulation ? without_warm_start(file) : file;
+}
+
 TEST(Capture, VersionsBeforeAreRead) {
-  for (const char version : {'\2', '\3'}) {
+  for (const char version : {'\2', '\3', '\4'}) {
     const ReplayReport report = replayed(of_version(version, random_simulation<float>(2, 10)));
     EXPECT_EQ(report.frames, 10u);
     EXPECT_FALSE(report.difference);
