@@ -980,6 +980,8 @@ export interface SimulationSettings {
   readonly mostSubSteps?: number;
   readonly sleep?: boolean;
   readonly continuous?: boolean;
+  /** Sub-steps begin with the impulses of the last one; without it stacks sink and lean. */
+  readonly warmStart?: boolean;
   readonly longestStep?: number;
 }
 export interface Dynamics {
@@ -1115,6 +1117,11 @@ export class Simulation extends Handle {
   setPose(id: BodyId, pose: PoseLike): void;
   moveTo(id: BodyId, pose: PoseLike, dt: number): void;
   setMaterial(id: BodyId, material: Material): void;
+  /** Gives the pieces of the body's shape materials of their own from now on: `ofPiece[i]` is the place among `materials`
+   * of that of piece i, a child of a compound or a triangle of a mesh or a height field (two for each cell, holes
+   * included). A point of contact has the material of the piece whose surface is nearest to it, at the cost of a search
+   * of the pieces in each step. */
+  setMaterials(id: BodyId, materials: readonly Material[], ofPiece: ArrayLike<number>): void;
   setGravity(gravity: Vec3Like): void;
   /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
   setName(id: BodyId, name: string): void;
@@ -1414,6 +1421,8 @@ export declare namespace plane {
     readonly mostSubSteps?: number;
     readonly sleep?: boolean;
     readonly continuous?: boolean;
+    /** Sub-steps begin with the impulses of the last one; without it stacks sink and lean. */
+    readonly warmStart?: boolean;
     readonly longestStep?: number;
   }
   interface Dynamics {
@@ -1521,6 +1530,9 @@ export declare namespace plane {
     setPose(id: BodyId, pose: PoseLike): void;
     moveTo(id: BodyId, pose: PoseLike, dt: number): void;
     setMaterial(id: BodyId, material: Material): void;
+    /** Gives the pieces of the body's shape materials of their own from now on, as in space: children of a compound,
+     * segments of a chain. */
+    setMaterials(id: BodyId, materials: readonly Material[], ofPiece: ArrayLike<number>): void;
     setGravity(gravity: ArrayLike<number>): void;
     /** Sets the name of the body in a replay of the capture; without a capture it is not kept. */
     setName(id: BodyId, name: string): void;

@@ -1227,6 +1227,7 @@ typedef struct GrazeSimulationSettingsd {
   int32_t most_sub_steps;  // largest number of sub-steps, for an island under load; a power of two
   bool sleep;              // islands at rest cost nothing and do not move
   bool continuous;         // fast bodies do not pass through others
+  bool warm_start;         // sub-steps begin with the impulses of the last one; without it stacks sink and lean
   double longest_step;     // longer steps are refused
 } GrazeSimulationSettingsd;
 
@@ -1352,8 +1353,17 @@ GRAZE_C_API GrazeStatus graze_simulation_set_pose_d(GrazeSimulationd *simulation
 // Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
 GRAZE_C_API GrazeStatus graze_simulation_move_to_d(GrazeSimulationd *simulation, GrazeBodyId id, const GrazePosed *pose,
                                                    double dt);
+// Replaces the material of a body, of all of its pieces, from now on.
 GRAZE_C_API GrazeStatus graze_simulation_set_material_d(GrazeSimulationd *simulation, GrazeBodyId id,
                                                         const GrazeMateriald *material);
+// Gives the pieces of a body's shape materials of their own from now on: of_piece[i] is the place among the materials
+// of that of piece i: children of a compound, triangles of a mesh or a height field (two for each cell, holes
+// included), in the plane children of a compound and segments of a chain. A point of contact has the material of the
+// piece whose surface is nearest to it. Refuses other shapes, a piece_count that is not that of the shape, places that
+// are none, and invalid materials. Costs a search of the pieces in each step for each point of contact of the body.
+GRAZE_C_API GrazeStatus graze_simulation_set_materials_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                         const GrazeMateriald *materials, size_t material_count,
+                                                         const uint32_t *of_piece, size_t piece_count);
 GRAZE_C_API GrazeStatus graze_simulation_set_gravity_d(GrazeSimulationd *simulation, GrazeVec3d gravity);
 GRAZE_C_API GrazeStatus graze_simulation_wake_d(GrazeSimulationd *simulation, GrazeBodyId id);
 // Names a body for a replay, as in a world.
@@ -1942,6 +1952,7 @@ typedef struct GrazePlaneSimulationSettingsd {
   int32_t most_sub_steps;  // largest number of sub-steps, for an island under load; a power of two
   bool sleep;              // islands at rest cost nothing and do not move
   bool continuous;         // fast bodies do not pass through others
+  bool warm_start;         // sub-steps begin with the impulses of the last one; without it stacks sink and lean
   double longest_step;     // longer steps are refused
 } GrazePlaneSimulationSettingsd;
 
@@ -2049,6 +2060,10 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_move_to_d(GrazePlaneSimulationd *
                                                          const GrazePose2d *pose, double dt);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                               const GrazePlaneMateriald *material);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_materials_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                               const GrazePlaneMateriald *materials,
+                                                               size_t material_count, const uint32_t *of_piece,
+                                                               size_t piece_count);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_d(GrazePlaneSimulationd *simulation, GrazeVec2d gravity);
 GRAZE_C_API GrazeStatus graze_plane_simulation_wake_d(GrazePlaneSimulationd *simulation, GrazeBodyId id);
 // Names a body for a replay, as in a world.
@@ -2768,6 +2783,7 @@ typedef struct GrazeSimulationSettingsf {
   int32_t most_sub_steps;
   bool sleep;
   bool continuous;
+  bool warm_start;
   float longest_step;
 } GrazeSimulationSettingsf;
 
@@ -2878,6 +2894,9 @@ GRAZE_C_API GrazeStatus graze_simulation_move_to_f(GrazeSimulationf *simulation,
                                                    float dt);
 GRAZE_C_API GrazeStatus graze_simulation_set_material_f(GrazeSimulationf *simulation, GrazeBodyId id,
                                                         const GrazeMaterialf *material);
+GRAZE_C_API GrazeStatus graze_simulation_set_materials_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                         const GrazeMaterialf *materials, size_t material_count,
+                                                         const uint32_t *of_piece, size_t piece_count);
 GRAZE_C_API GrazeStatus graze_simulation_set_gravity_f(GrazeSimulationf *simulation, GrazeVec3f gravity);
 GRAZE_C_API GrazeStatus graze_simulation_wake_f(GrazeSimulationf *simulation, GrazeBodyId id);
 GRAZE_C_API GrazeStatus graze_simulation_set_name_f(GrazeSimulationf *simulation, GrazeBodyId id,
@@ -3380,6 +3399,7 @@ typedef struct GrazePlaneSimulationSettingsf {
   int32_t most_sub_steps;
   bool sleep;
   bool continuous;
+  bool warm_start;
   float longest_step;
 } GrazePlaneSimulationSettingsf;
 
@@ -3475,6 +3495,10 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_move_to_f(GrazePlaneSimulationf *
                                                          const GrazePose2f *pose, float dt);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
                                                               const GrazePlaneMaterialf *material);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_materials_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                               const GrazePlaneMaterialf *materials,
+                                                               size_t material_count, const uint32_t *of_piece,
+                                                               size_t piece_count);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_f(GrazePlaneSimulationf *simulation, GrazeVec2f gravity);
 GRAZE_C_API GrazeStatus graze_plane_simulation_wake_f(GrazePlaneSimulationf *simulation, GrazeBodyId id);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_name_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,

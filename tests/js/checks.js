@@ -525,7 +525,7 @@ export const checks = [
         const [a, b] = [0, 1].map(() => simulation.add({ shape: box }));
         const joint = (more) => () => simulation.addJoint({ a, b, ...more });
         refuses(() => new library.Simulation({ substeps: 4 }),
-          "settings: expected gravity, subSteps, mostSubSteps, sleep, continuous, longestStep, capture, got substeps");
+          "settings: expected gravity, subSteps, mostSubSteps, sleep, continuous, warmStart, longestStep, capture, got substeps");
         refuses(() => simulation.add({ shape: box }, { mas: 1 }), /^dynamics: expected mass, .*, got mas$/);
         refuses(() => simulation.add({ shape: box }, { hasMass: true }), /, got hasMass$/);
         refuses(() => simulation.add({ shape: box }, {}, { friction: 1 }), /^material: expected staticFriction, .*, got friction$/);
@@ -1201,7 +1201,7 @@ export const checks = [
       equal(simulation.pose(crate), end, "the same bits from bytes");
       throws(() => entry.State.fromBytes(bytes.slice(1)), "state: expected the bytes of a state, got other bytes", entry.InvalidValue);
       throws(() => entry.plane.State.fromBytes(bytes), 
-        "state: expected a state of version 2 of this precision and dimension, got another one", entry.InvalidValue);
+        "state: expected a state of version 2 or 3 of this precision and dimension, got another one", entry.InvalidValue);
       simulation.applyImpulse(crate, [3, 0, 0], end.translation);
       close(simulation.motion(crate).linear[0], 1, 1e-5, "pushed");
       simulation.applyAngularImpulse(crate, [0, 0.25, 0]);

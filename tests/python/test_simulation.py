@@ -47,6 +47,53 @@ def test_joints_let_their_bodies_touch():
             assert simulation.joint(joint)["enable_collision"] is touch
 
 
+def test_pieces_have_materials_of_their_own():
+    ice, felt = (dict(static_friction=f, dynamic_friction=f, friction_combine="minimum") for f in (0, 0.3))
+    for of, slab, slider, at in (
+        (graze, graze.Box((80, 1, 40)), graze.Box((2, 1, 1)), lambda z: (0, -0.5, z)),
+        (plane, plane.Box((80, 1)), plane.Box((2, 1)), lambda z: (0, 10 * z - 0.5)),
+    ):
+        simulation = of.Simulation(gravity=(0, -10, 0)[: len(at(0))])
+        floor = simulation.add(of.Compound([(slab, at(-20)), (slab, at(20))]), fixed=True)
+        materials = [of.Material(**ice), of.Material(**felt)]
+        simulation.set_materials(floor, materials, [0, 1])
+        up = np.array((0, 1, 0)[: len(at(0))])
+        rough = of.Material(static_friction=1, dynamic_friction=1, friction_combine="minimum")
+        boxes = [simulation.add(slider, np.add(at(z), up), linear=6 * np.eye(len(up))[0], material=rough) for z in (-20, 20)]
+        for _ in range(60):
+            simulation.step(1 / 60)
+        on_ice, on_felt = (simulation.velocity(box)[0][0] for box in boxes)
+        assert on_ice == pytest.approx(6, abs=1e-3)
+        assert on_felt == pytest.approx(3, abs=0.1)
+        simulation.set_materials(floor, materials, np.array([1, 0], dtype=np.uint32))
+        for body, of_piece, message in [
+            (floor, [0], "of_piece: expected a number for each of the 2 pieces"),
+            (floor, [0, 2], r"of_piece\[1\]: expected the place of one of the 2 materials"),
+            (floor, [0, -1], r"of_piece\[1\]: expected an integer from 0"),
+            (boxes[0], [0, 1], "body: expected one whose shape has pieces"),
+        ]:
+            with pytest.raises(ValueError, match=message):
+                simulation.set_materials(body, materials, of_piece)
+
+
+def test_warm_starting_is_a_setting():
+    def sunk(of, **settings):
+        """How far ten boxes sink into each other and the floor in two seconds."""
+        simulation = of.Simulation(sleep=False, sub_steps=4, most_sub_steps=4, **settings)
+        space = of is graze
+        simulation.add(of.HalfSpace() if space else of.HalfPlane(), fixed=True)
+        box = of.Box((1, 1, 1) if space else (1, 1))
+        boxes = [simulation.add(box, (0, 0.5 + i, 0)[: 3 if space else 2]) for i in range(10)]
+        for _ in range(120):
+            simulation.step(1 / 60)
+        return 9.5 - simulation.pose(boxes[-1]).translation[1]
+
+    for of in graze, plane:
+        warm, cold = sunk(of), sunk(of, warm_start=False)
+        assert sunk(of, warm_start=True) == warm
+        assert 0 < warm < 0.05 and cold > 4 * warm
+
+
 def test_an_inertia_may_be_a_matrix():
     rng = np.random.default_rng(4)
     hull = graze.ConvexHull(rng.normal(size=(30, 3)))

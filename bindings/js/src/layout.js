@@ -121,7 +121,8 @@ export function layouts(core) {
       bodyRayHit: struct({ body: id, hit: rayHit }),
       bodyCastHit: struct({ body: id, hit: castHit }),
       simulationSettings: struct({
-        gravity: vector, subSteps: i32, mostSubSteps: i32, sleep: bool, continuous: bool, longestStep: num }),
+        gravity: vector, subSteps: i32, mostSubSteps: i32, sleep: bool, continuous: bool, warmStart: bool,
+        longestStep: num }),
       dynamics: struct({
         hasMass: bool, hasCenterOfMass: bool, hasInertia: bool, mass: num, centerOfMass: vector, ...inertiaMembers,
         density: num, gravityFactor: num, linearDamping: num, angularDamping: num, kinematic: bool, maySleep: bool }),

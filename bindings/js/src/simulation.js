@@ -39,7 +39,7 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
       hasCenterOfMass: value.centerOfMass !== undefined,
       hasInertia: value[inertia] !== undefined,
     }));
-  const materialAt = (given) => settled(types.material, "material", given, "material");
+  const materialAt = (given, path = "material") => settled(types.material, "material", given, path);
 
   /** Writes structs one behind the other. */
   const several = (type, values, path) => {
@@ -224,6 +224,16 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     }
     setMaterial(id, material) {
       core.frame(() => call("set_material", changed(this), idAt(id, "body"), materialAt(material)));
+    }
+    setMaterials(id, materials, ofPiece) {
+      core.frame(() => {
+        const all = Array.from(arrayOf(materials, "materials"));
+        const size = types.material.size;
+        const first = core.room(Math.max(1, all.length) * size);
+        all.forEach((material, i) => core.copy(materialAt(material, `materials[${i}]`), first + i * size, size));
+        const { pointer, count } = args.rows(ofPiece, 1, "ofPiece", Uint32Array);
+        call("set_materials", changed(this), idAt(id, "body"), first, all.length, pointer, count);
+      });
     }
     setGravity(gravity) {
       core.frame(() => call("set_gravity", changed(this), vector(gravity, "gravity")));

@@ -110,21 +110,24 @@ cannot hold: a shape with a support function in Python.)");
   template <class Own, class... Before, class... Names>
   static void add_constructor(py::class_<Own>& simulation, const Names&... names) {
     const Settings usual;
-    simulation.def(py::init([](const Before&... before, const Vector& gravity, const Whole& sub_steps, bool sleep,
-                               bool continuous, const std::optional<Whole>& most_sub_steps, double longest_step) {
-                     Settings settings;
-                     settings.gravity = gravity.value;
-                     settings.sub_steps = sub_steps.as<int>("sub_steps");
-                     settings.most_sub_steps = most_sub_steps ? most_sub_steps->as<int>("most_sub_steps")
-                                                              : greatest(settings.most_sub_steps, settings.sub_steps);
-                     settings.sleep = sleep;
-                     settings.continuous = continuous;
-                     settings.longest_step = longest_step;
-                     return std::make_unique<Own>(before..., settings);
-                   }),
-                   names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = Whole(usual.sub_steps),
-                   py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous,
-                   py::arg("most_sub_steps") = py::none(), py::arg("longest_step") = usual.longest_step);
+    simulation.def(
+        py::init([](const Before&... before, const Vector& gravity, const Whole& sub_steps, bool sleep, bool continuous,
+                    const std::optional<Whole>& most_sub_steps, double longest_step, bool warm_start) {
+          Settings settings;
+          settings.gravity = gravity.value;
+          settings.sub_steps = sub_steps.as<int>("sub_steps");
+          settings.most_sub_steps = most_sub_steps ? most_sub_steps->as<int>("most_sub_steps")
+                                                   : greatest(settings.most_sub_steps, settings.sub_steps);
+          settings.sleep = sleep;
+          settings.continuous = continuous;
+          settings.longest_step = longest_step;
+          settings.warm_start = warm_start;
+          return std::make_unique<Own>(before..., settings);
+        }),
+        names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = Whole(usual.sub_steps),
+        py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous,
+        py::arg("most_sub_steps") = py::none(), py::arg("longest_step") = usual.longest_step,
+        py::arg("warm_start") = usual.warm_start);
   }
 
   /// Defines the methods of all simulations.
@@ -327,7 +330,23 @@ and a body with mass whose shape has no end.)")
             "The sub-steps of a body's island in the last step; 0 before its first.")
         .def(
             "set_material", [](Own& s, BodyId id, const Material& material) { s.change()->set_material(id, material); },
-            py::arg("body"), py::arg("material"), "Another material for a body.");
+            py::arg("body"), py::arg("material"), "Another material for a body, of all of its pieces.")
+        .def(
+            "set_materials",
+            [](Own& s, BodyId id, const std::vector<Material>& materials, const std::vector<Whole>& of_piece) {
+              std::vector<std::uint32_t> places;
+              for (const Whole& place : of_piece)
+                places.push_back(place.as<std::uint32_t>(("of_piece[" + std::to_string(places.size()) + "]").c_str()));
+              s.change()->set_materials(id, materials, places);
+            },
+            py::arg("body"), py::arg("materials"), py::arg("of_piece"),
+            R"(Gives the pieces of a body's shape materials of their own.
+
+of_piece[i] is the place among `materials` of that of piece i: the children of a compound, triangles
+of a mesh or a height field (two for each cell, holes included), segments of a chain in the plane. A
+point of contact has the material of the piece whose surface is nearest to it, at the cost of a
+search of the pieces in each step. Raises ValueError for another shape, another number of pieces,
+and a place that is none.)");
   }
 
   template <class Own>
