@@ -107,8 +107,13 @@ class GRAZE_API World {
   /// The events of the last update: contacts that began, stayed and ended.
   std::span<const ContactEvent> events() const { return tracker_.events(); }
   /// Takes events of an earlier update, with pairs of the last one, in place of the last update's: the next update goes
-  /// on from them. For who goes back to an earlier state.
-  void go_back_to(std::span<const ContactEvent> events) { tracker_.go_back_to(events); }
+  /// on from them. `lost` are those whose pairs the last update did not find, as one of the bodies is gone: the next one
+  /// tells their end. For who goes back to an earlier state.
+  void go_back_to(std::span<const ContactEvent> events, std::span<const ContactEvent> lost = {}) {
+    tracker_.go_back_to(events, lost);
+  }
+  /// The events that `go_back_to` took as lost, until the next update.
+  std::span<const ContactEvent> lost_events() const { return tracker_.lost(); }
   /// The bodies that fast ones would meet in the duration of the last update or `find_impacts`, in the order of time.
   std::span<const Impact<T, Space>> impacts() const { return impacts_; }
 

@@ -4,6 +4,7 @@
 // belong to points that the world finds anew where the last update found them: so bodies are put there first. Nothing
 // in a state belongs to the simulation that saved it, so that one with the same bodies and joints may go on from it.
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "dynamics/bit_hash.hpp"
@@ -75,24 +76,39 @@ bool same_joints(const std::vector<JointPlace<T, Space>>& a, const std::vector<J
   return true;
 }
 
+/// The events of the last step, and those that were lost since, in the order of their bodies.
+template <class T, class Space>
+std::vector<ContactEvent> events_of(const World<T, Space>& world) {
+  const auto events = world.events(), lost = world.lost_events();
+  std::vector<ContactEvent> all;
+  std::merge(events.begin(), events.end(), lost.begin(), lost.end(), std::back_inserter(all),
+             [](const ContactEvent& e, const ContactEvent& o) {
+               return IdPair{e.a.index, e.b.index} < IdPair{o.a.index, o.b.index};
+             });
+  return all;
+}
+
 /// Takes the events of a saved step in place of those that finding its contacts gave: a pair that touches within its
-/// margin alone has begun before.
+/// margin alone has begun before, and what a body touched that was removed since has still to end.
 template <class T, class Space>
 void go_back_to(World<T, Space>& world, std::vector<ContactEvent> events) {
   const auto& pairs = world.contacts().pairs;
-  const auto gone = [&](ContactEvent& event) {
+  const auto found = [&](ContactEvent& event) {
     event.pair = ContactEvent::no_pair;
-    if (event.kind == EventKind::end) return false;
+    if (event.kind == EventKind::end) return true;
     const IdPair ids{event.a.index, event.b.index};
     const auto at = std::lower_bound(pairs.begin(), pairs.end(), ids, [](const ContactPair<T>& p, const IdPair& other) {
       return IdPair{p.a, p.b} < other;
     });
-    if (at == pairs.end() || at->a != ids.a || at->b != ids.b) return true;
+    if (at == pairs.end() || at->a != ids.a || at->b != ids.b) return false;
+    if (world.bodies().id(ids.a) != event.a || world.bodies().id(ids.b) != event.b) return false;
     event.pair = static_cast<std::uint32_t>(at - pairs.begin());
-    return false;
+    return true;
   };
-  events.erase(std::remove_if(events.begin(), events.end(), gone), events.end());
-  world.go_back_to(events);
+  const auto lost = std::stable_partition(events.begin(), events.end(), found);
+  const auto count = static_cast<std::size_t>(lost - events.begin());
+  const std::span<const ContactEvent> all = events;
+  world.go_back_to(all.first(count), all.subspan(count));
 }
 
 template <class T, class Space>
@@ -138,7 +154,7 @@ State<T, Space> Simulation<T, Space>::save() const {
   each_point<T, Space>(p.world.contacts(),
                        [&](const SolverPoint<T, Space>& point) { kept.impulses.push_back(point.impulse); });
   kept.rolling = p.rolling.kept();
-  kept.events.assign(p.world.events().begin(), p.world.events().end());
+  kept.events = events_of(p.world);
   kept.settings = p.settings;
   kept.last = p.last;
   kept.last_step = p.last_step;

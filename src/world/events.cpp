@@ -24,6 +24,7 @@ template <class T, class Space>
 void EventTracker::update(const BodyArrays<T, Space>& bodies, std::span<const ContactPair<T>> pairs) {
   std::swap(now_, last_);
   now_.clear();
+  if (!lost_.empty()) take_lost();
   const std::span<const ContactEvent> last = last_.filled();
   const ContactEvent* from = last.data();
   const ContactEvent* const end = from + last.size();
@@ -67,9 +68,20 @@ void EventTracker::update(const BodyArrays<T, Space>& bodies, std::span<const Co
   now_.shorten(static_cast<std::size_t>(to - first));
 }
 
-void EventTracker::go_back_to(std::span<const ContactEvent> events) {
+void EventTracker::go_back_to(std::span<const ContactEvent> events, std::span<const ContactEvent> lost) {
   now_.clear();
   std::copy(events.begin(), events.end(), now_.extend(events.size()));
+  lost_.assign(lost.begin(), lost.end());
+}
+
+/// Puts the lost events among those of the last update.
+void EventTracker::take_lost() {
+  lost_.insert(lost_.end(), last_.filled().begin(), last_.filled().end());
+  std::stable_sort(lost_.begin(), lost_.end(),
+                   [](const ContactEvent& e, const ContactEvent& o) { return before(e.a, e.b, o.a, o.b); });
+  last_.clear();
+  std::copy(lost_.begin(), lost_.end(), last_.extend(lost_.size()));
+  lost_.clear();
 }
 
 #define GRAZE_INSTANTIATE(T, Space)                                                                                    \

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dynamics/simulated.hpp"
+#include "graze/state_bytes.hpp"
 #include "world/executors.hpp"
 
 namespace graze::testing {
@@ -81,6 +82,38 @@ TYPED_TEST(SimulationBits, EventsGoOnAfterRestore) {
         EXPECT_NE(std::find(once.begin(), once.end(), key), once.end()) << e.a.index << " " << e.b.index;
       }
   }
+}
+
+/// What a body touched that was removed since the last step ends in the next one, also of a state that was saved between
+/// the two, and of one that was saved right after going back to that.
+TYPED_TEST(SimulationBits, WhatARemovedBodyTouchedEndsAfterRestore) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  add_heap(s, 8, 20);
+  poses_after(s, 100);
+  const BodyId removed = s.world().bodies().id(5);
+  const auto ends_of = [](Simulation<T>& of, BodyId body) {
+    of.step(T(dt));
+    const auto events = of.world().events();
+    return std::count_if(events.begin(), events.end(), [&](const ContactEvent& e) {
+      return e.kind == EventKind::end && (e.a == body || e.b == body);
+    });
+  };
+  s.remove(removed);
+  const BodyId another = s.add({Sphere<T>(T(0.5)), {{T(0), T(60), T(0)}, {}}});
+  EXPECT_EQ(another.index, removed.index);
+  const State<T> state = s.save();
+  const auto once = ends_of(s, removed);
+  EXPECT_GT(once, 0);
+  EXPECT_EQ(ends_of(s, removed), 0);
+  s.restore(state);
+  for (const ContactEvent& e : s.world().events())
+    EXPECT_TRUE(e.kind == EventKind::end || e.pair < s.world().contacts().pairs.size());
+  const State<T> again = s.save();
+  EXPECT_EQ(ends_of(s, removed), once);
+  s.restore(read_state<T>(state_bytes(again)));
+  EXPECT_EQ(ends_of(s, removed), once);
+  EXPECT_EQ(ends_of(s, removed), 0);
 }
 
 /// A simulation of the same bodies and joints goes on from a state, though the one that saved it is gone.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "graze/detail/refilled.hpp"
 #include "graze/world/bodies.hpp"
@@ -34,17 +35,24 @@ class GRAZE_API EventTracker {
   template <class T, class Space = graze::Space<T>>
   void update(const BodyArrays<T, Space>& bodies, std::span<const ContactPair<T>> pairs);
 
-  /// Takes events of an earlier update in place of those of the last one: the next update goes on from them.
-  void go_back_to(std::span<const ContactEvent> events);
+  /// Takes events of an earlier update in place of those of the last one: the next update goes on from them. `lost` are
+  /// those whose pairs the last update did not find, as one of the bodies is gone: they are told when they end, in the
+  /// next update.
+  void go_back_to(std::span<const ContactEvent> events, std::span<const ContactEvent> lost = {});
 
   /// The events of the last update.
   std::span<const ContactEvent> events() const { return now_.filled(); }
+  /// The events that `go_back_to` took as lost, until the next update.
+  std::span<const ContactEvent> lost() const { return lost_; }
 
   /// Bytes that are held.
-  std::size_t memory() const { return (now_.capacity() + last_.capacity()) * sizeof(ContactEvent); }
+  std::size_t memory() const { return (now_.capacity() + last_.capacity() + lost_.capacity()) * sizeof(ContactEvent); }
 
  private:
+  void take_lost();
+
   Refilled<ContactEvent> now_, last_;
+  std::vector<ContactEvent> lost_;
 };
 
 }  // namespace graze
