@@ -1548,6 +1548,57 @@ export const checks = [
     }
   }],
 
+  ["materials of pieces", ({ graze, double }) => {
+    for (const entry of [graze, double])
+      for (const library of [entry, entry.plane]) {
+        const space = library === entry;
+        const at = (side, height) => (space ? [0, height, side * 20] : [0, side * 200 + height]);
+        const [slab, slider] = [[80, 1, 40], [2, 1, 1]].map((sizes) => new library.Box(space ? sizes : sizes.slice(0, 2)));
+        const simulation = new library.Simulation({ gravity: space ? [0, -10, 0] : [0, -10] });
+        const floor = simulation.add({
+          fixed: true, shape: new library.Compound([-1, 1].map((side) => ({ shape: slab, translation: at(side, -0.5) }))) });
+        const rubbing = (friction) => ({ staticFriction: friction, dynamicFriction: friction, frictionCombine: "minimum" });
+        const materials = [rubbing(0), rubbing(0.3)];
+        simulation.setMaterials(floor, materials, [0, 1]);
+        const [onIce, onFelt] = [-1, 1].map((side) => simulation.add(
+          { shape: slider, translation: at(side, 0.5), linear: space ? [6, 0, 0] : [6, 0] }, {}, rubbing(1)));
+        for (let i = 0; i < 60; ++i) simulation.step(1 / 60);
+        close(simulation.motion(onIce).linear[0], 6, 1e-3, "on ice");
+        close(simulation.motion(onFelt).linear[0], 3, 0.1, "on felt");
+        simulation.setMaterials(floor, materials, new Uint32Array([1, 0]));
+        const refuses = (act, message) => throws(act, message, entry.InvalidValue);
+        refuses(() => simulation.setMaterials(floor, materials, [0]), "of_piece: expected a number for each of the 2 pieces, got 1");
+        refuses(() => simulation.setMaterials(floor, materials, [0, 2]),
+          "of_piece[1]: expected the place of one of the 2 materials, got 2");
+        refuses(() => simulation.setMaterials(floor, materials, [0, 0.5]), /^ofPiece\[1\]: expected /);
+        refuses(() => simulation.setMaterials(floor, [{ friction: 1 }], [0, 0]), /^materials\[0\]: expected staticFriction, /);
+        refuses(() => simulation.setMaterials(floor, {}, [0, 0]), /^materials: expected an array, /);
+        refuses(() => simulation.setMaterials(onIce, materials, [0, 1]), /^body: expected one whose shape has pieces/);
+        simulation.dispose();
+      }
+  }],
+
+  ["a simulation without warm starting", ({ graze, double }) => {
+    for (const entry of [graze, double])
+      for (const library of [entry, entry.plane]) {
+        const space = library === entry;
+        const sunk = (settings) => {
+          const simulation = new library.Simulation({ sleep: false, subSteps: 4, mostSubSteps: 4, ...settings });
+          simulation.add({ shape: space ? new library.HalfSpace() : new library.HalfPlane(), fixed: true });
+          const box = new library.Box(space ? [1, 1, 1] : [1, 1]);
+          let top;
+          for (let i = 0; i < 10; ++i) top = simulation.add({ shape: box, translation: [0, 0.5 + i, 0].slice(0, space ? 3 : 2) });
+          for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
+          const { translation } = simulation.pose(top);
+          simulation.dispose();
+          return 9.5 - translation[1];
+        };
+        const warm = sunk({});
+        equal(sunk({ warmStart: true }), warm, "as usual");
+        ok(warm > 0 && warm < 0.05 && sunk({ warmStart: false }) > 4 * warm, "a stack sinks");
+      }
+  }],
+
   ["debug draw", ({ graze, queries }) => {
     const drawn = [];
     const renderer = {
