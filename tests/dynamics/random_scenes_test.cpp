@@ -94,8 +94,8 @@ TEST(RandomScenes, ComeToRest) {
   for (int i = 0; i < scenes; ++i) play_either(static_cast<unsigned>(i));
 }
 
-/// Wedges that met in the air, edge to edge, and once hung there: continuous collision held them back in every step, and
-/// no contact pushed them.
+/// Wedges that met in the air, edge to edge, and once hung there: continuous collision held them back in every step,
+/// and no contact pushed them.
 TEST(RandomScenes, WedgesThatMeetInTheAirFallOn) { play_either(847, true); }
 
 /// Random scenes with closed meshes among the bodies that fall, in a quarter as many scenes, which take longer.

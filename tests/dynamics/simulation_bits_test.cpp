@@ -84,8 +84,8 @@ TYPED_TEST(SimulationBits, EventsGoOnAfterRestore) {
   }
 }
 
-/// What a body touched that was removed since the last step ends in the next one, also of a state that was saved between
-/// the two, and of one that was saved right after going back to that.
+/// The contacts of a body that was removed since the last step end in the next one, also of a state that was saved
+/// between the two, and of one that was saved right after going back to that.
 TYPED_TEST(SimulationBits, WhatARemovedBodyTouchedEndsAfterRestore) {
   using T = TypeParam;
   Simulation<T> s(settings<T>());
