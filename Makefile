@@ -183,6 +183,13 @@ bench-resolution: ## run the solver's table beside Bullet and ODE, and write ben
 	@build/release/bin/bench_plane --pyramid >> build/RESOLUTION.md
 	@mv build/RESOLUTION.md bench/RESOLUTION.md
 
+.PHONY: bench-python
+bench-python: ## measure batches of boxes from Python beside C++, and questions about one pair
+	@scripts/setup.sh bench python
+	$(call configure,bench) -DGRAZE_BUILD_PYTHON=ON
+	cmake --build --preset bench --parallel $(JOBS) --target bench_boxes graze_python
+	@PYTHONPATH=build/release/python /usr/bin/python3 bench/python.py --boxes build/release/bin/bench_boxes
+
 .PHONY: accuracy
 accuracy: ## measure the largest errors, beside Bullet, ODE and FCL, and write bench/ACCURACY.md
 	@scripts/setup.sh bench
