@@ -175,3 +175,73 @@ def test_contacts_of_a_batch_with_at_most_so_many_points(of):
         assert m["point_count"] == 1 and points[m["first_point"]]["a"].tolist() == alone.points[0].a.tolist()
     with pytest.raises(ValueError, match="most: expected a number >= 1, got 0"):
         of.batch.contacts(box, None, box, places, most=0)
+
+
+@pytest.mark.parametrize("count", [1, 3, 64, 65, 131])
+@pytest.mark.parametrize("kit", [graze, plane], ids=["space", "plane"])
+def test_every_number_of_every_row_is_looked_at(kit, count):
+    """Poses are looked at many at a time: a fault is found wherever it is, and none where there is none."""
+    in_space = kit is graze
+    shape = graze.Sphere(1) if in_space else plane.Circle(1)
+    rows = np.zeros((count, 7 if in_space else 4))
+    rows[:, 6 if in_space else 2] = 1
+    coordinates = 3 if in_space else 2
+    kit.batch.overlap(shape, None, shape, rows)
+    for row in {0, count // 2, count - 1}:
+        for column in range(rows.shape[1]):
+            for wrong in (np.nan, np.inf, -np.inf, 2e48, -2e48, 1e200):
+                bad = rows.copy()
+                bad[row, column] = wrong
+                part = "translation" if column < coordinates else "rotation"
+                with pytest.raises(ValueError, match=rf"poses_b\[{row}\]\.{part}"):
+                    kit.batch.overlap(shape, None, shape, bad)
+        far = rows.copy()
+        far[row, :coordinates] = 9e47  # allowed, and more than the quick look is sure of
+        kit.batch.overlap(shape, None, shape, far)
+        off = rows.copy()
+        off[row, coordinates:] *= 1 + 1e-6  # its square is off by twice that
+        with pytest.raises(ValueError, match=rf"poses_b\[{row}\]\.rotation"):
+            kit.batch.overlap(shape, None, shape, off)
+
+
+def test_rotations_of_single_precision_are_of_unit_length():
+    random = np.random.default_rng(4)
+    rows = np.zeros((5000, 7))
+    rotations = random.normal(size=(5000, 4))
+    rows[:, 3:] = (rotations / np.linalg.norm(rotations, axis=1, keepdims=True)).astype(np.float32)
+    assert graze.batch.overlap(graze.Sphere(1), None, graze.Sphere(1), rows).all()
+
+
+def test_answers_that_are_held_stay():
+    """Memory of answers is used again, but not of those that somebody has."""
+    box, ball = graze.Box((2, 2, 2)), graze.Sphere(1)
+    near, far = np.zeros((500, 7)), np.zeros((500, 7))
+    near[:, 6] = far[:, 6] = 1
+    far[:, 0] = 9
+    kept = graze.batch.distance(box, None, ball, near)
+    view, copy = kept["distance"][10:20], kept.copy()
+    for _ in range(3):
+        assert (graze.batch.distance(box, None, ball, far)["distance"] == 7).all()
+    assert (kept == copy).all()
+    del kept
+    for _ in range(3):
+        graze.batch.distance(box, None, ball, far)
+    assert (view == copy["distance"][10:20]).all()
+    fewer = graze.batch.distance(box, None, ball, far[:7])
+    assert len(fewer) == 7 and (fewer["distance"] == 7).all()
+
+
+def test_arrays_of_shapes_of_one_kind_and_of_many_answer_alike():
+    random = np.random.default_rng(6)
+    poses = np.zeros((200, 7))
+    poses[:, :3], poses[:, 6] = random.uniform(-2, 2, (200, 3)), 1
+    kinds = [graze.Box((1, 2, 1)), graze.Sphere(0.7), graze.Capsule(1, 0.4), graze.Cylinder(1, 0.5), graze.HalfSpace(),
+             graze.Triangle((0, 0, 0), (1, 0, 0), (0, 1, 0)), graze.Box((1, 1, 1), rounding=0.2)]
+    for shape in kinds:
+        alone = [graze.distance(shape, None, graze.Sphere(0.5), pose).distance for pose in poses]
+        array = graze.ShapeArray([shape] * 200)
+        mixed = graze.ShapeArray([shape] * 199 + [graze.ConvexHull(random.normal(size=(9, 3)))])
+        for shapes in (shape, array, array[:]):
+            assert graze.batch.distance(shapes, None, graze.Sphere(0.5), poses)["distance"].tolist() == alone
+        assert graze.batch.distance(mixed, None, graze.Sphere(0.5), poses)["distance"][:199].tolist() == alone[:199]
+        assert repr(array[3]) == repr(mixed[3]) == repr(shape)

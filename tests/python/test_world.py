@@ -569,7 +569,7 @@ def test_a_world_tells_its_bodies_by_index(of, ball, size):
     assert world.poses.shape == (3, size)
     assert world.poses[[0, 2], 0].tolist() == [0, 6]
     assert repr(world.filter(bodies[0])) == repr(filter)
-    with pytest.raises(ValueError, match="body: expected a body of this world"):
+    with pytest.raises(ValueError, match="body: expected a body of the world"):
         world.filter(bodies[1])
     empty = of.World().memory
     assert 0 <= empty < world.memory

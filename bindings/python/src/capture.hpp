@@ -27,8 +27,8 @@ template <class Captured>
 class ToFile : private CaptureFile, public Captured {
  public:
   template <class Settings>
-  ToFile(const std::filesystem::path& file, const Settings& settings)
-      : CaptureFile(file), Captured(&stream(), settings) {}
+  ToFile(const std::filesystem::path& file, const Settings& settings, Executor* executor)
+      : CaptureFile(file), Captured(&stream(), settings, executor) {}
 };
 
 /// A captured simulation, whose states are objects of Python.

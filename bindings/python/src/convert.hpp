@@ -67,17 +67,6 @@ inline std::vector<Vec3d> points_of(const Rows& array) {
   return points;
 }
 
-/// A vector's elements as an array of records that owns them: nothing is copied.
-template <class Record>
-py::array records(std::vector<Record>&& values, const py::dtype& type) {
-  auto kept = std::make_unique<std::vector<Record>>(std::move(values));
-  const auto size = static_cast<py::ssize_t>(kept->size());
-  const Record* data = kept->data();
-  py::capsule owner(kept.get(), [](void* p) { delete static_cast<std::vector<Record>*>(p); });
-  static_cast<void>(kept.release());
-  return py::array(type, {size}, {static_cast<py::ssize_t>(sizeof(Record))}, data, owner);
-}
-
 /// One field of a record: its name, its type as NumPy writes it, and where it stands.
 struct Field {
   const char* name;

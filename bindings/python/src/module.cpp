@@ -2,6 +2,7 @@
 #include "answers.hpp"
 #include "raised.hpp"
 #include "shapes.hpp"
+#include "threads.hpp"
 
 #include <string_view>
 
@@ -27,6 +28,7 @@ PYBIND11_MODULE(_graze, m) {
   using namespace graze::python;
   pybind11::register_local_exception_translator(&raise_value_error);
   m.attr("__version__") = GRAZE_VERSION_TEXT;
+  add_threads(m);
   add_pose(m);
   add_shapes(m);
   add_answers(m);

@@ -3,6 +3,7 @@
 
 #include "graze/plane/proximity.hpp"
 #include "plane_convert.hpp"
+#include "shape_array.hpp"
 
 namespace graze::python {
 
@@ -31,7 +32,9 @@ struct PlaneBatch {
   static constexpr const char* vectors = "shape (n, 2), or two numbers";
   static constexpr const char* turnings = "shape (n,), or one number (counter-clockwise)";
 
-  static const std::vector<Shape>* array_of_shapes(const py::object&) { return nullptr; }
+  using Shapes =
+      ShapesOf<Shape, plane::Circle<double>, plane::Capsule<double>, plane::Box<double>, plane::HalfPlane<double>>;
+  static const Shapes* array_of_shapes(const py::object&) { return nullptr; }
   static Vector vector_of(const double* row) { return {row[0], row[1]}; }
   static Turning turning_of(const double* row) { return *row; }
   static void check(const Vector& v, const std::string& path) {

@@ -2,9 +2,10 @@
 #include <pybind11/stl.h>
 
 #include "bounded_convex.hpp"
+#include "collected.hpp"
 #include "graze/plane/mass.hpp"
 #include "plane_convert.hpp"
-#include "raised.hpp"
+#include "python_support.hpp"
 #include "renamed.hpp"
 #include "shapes.hpp"
 
@@ -34,35 +35,21 @@ using Polygon = plane::Polygon<double>;
 using Chain = plane::Chain<double>;
 using Compound = plane::Compound<double>;
 
-/// A support function in Python.
-class PythonSupport final : public plane::SupportFunction<double> {
- public:
-  explicit PythonSupport(py::function function) : function_(std::move(function)) {}
-  PythonSupport(const PythonSupport&) = delete;
-  PythonSupport& operator=(const PythonSupport&) = delete;
-  ~PythonSupport() override {
-    const py::gil_scoped_acquire lock;
-    function_ = py::function();
-  }
-
-  /// The support point; the origin where the call will raise an exception.
-  plane::Vec2d support(const plane::Vec2d& direction) const override {
-    plane::Vec2d found{};
-    if (raising()) return found;
-    const py::gil_scoped_acquire lock;
-    raise_later([&] {
-      const py::object point = function_(array_of(direction));
-      if (!read_vector(point, found))
-        throw py::type_error("support: expected two numbers, got " + std::string(py::str(py::repr(point))));
-    });
-    return found;
-  }
-
-  const py::function& function() const { return function_; }
-
- private:
-  py::function function_;
+struct PlaneSupport {
+  using Function = plane::SupportFunction<double>;
+  using Vector = plane::Vec2d;
+  static constexpr const char* expected = "two numbers";
+  static py::object object_of(const plane::Vec2d& v) { return array_of(v); }
+  static bool read(const py::object& from, plane::Vec2d& to) { return read_vector(from, to); }
 };
+
+PyObject* held_by(const Of<UserConvex>& shape) {
+  const auto* support = python_support_of<PlaneSupport>(shape.concrete());
+  return support != nullptr ? support->held_alone() : nullptr;
+}
+void let_go(const Of<UserConvex>& shape) {
+  if (const auto* support = python_support_of<PlaneSupport>(shape.concrete())) support->let_go();
+}
 
 // Polygons and chains hold their pieces, not their points: their classes keep the points besides.
 
@@ -125,8 +112,7 @@ py::dict arguments(const Of<Ellipse>& s) {
 }
 py::dict arguments(const Of<UserConvex>& s) {
   py::dict a;
-  if (const auto* python = dynamic_cast<const PythonSupport*>(&s.concrete().function()))
-    a["support"] = python->function();
+  if (const auto* python = python_support_of<PlaneSupport>(s.concrete())) a["support"] = python->function();
   return a;
 }
 py::dict arguments(const Of<HalfPlane>&) { return {}; }
@@ -158,8 +144,8 @@ std::string text_of_argument(py::handle value) {
 
 /// A class of one kind of shape, which still lacks its constructor.
 template <class Class>
-py::class_<Class, Shaped> shape_class(py::module_& m, const char* name, const char* doc) {
-  py::class_<Class, Shaped> type(m, name, doc);
+py::class_<Class, Shaped> shape_class(py::module_& m, const char* name, const char* doc, const auto&... more) {
+  py::class_<Class, Shaped> type(m, name, doc, more...);
   type.def("__repr__",
            [name](const Class& shape) {
              std::string text = std::string("graze.plane.") + name + "(";
@@ -248,9 +234,11 @@ graze.plane.Box(size=(2.0, 1.0), rounding=0.1)
 support: takes a direction (an array of two numbers, not zero) and returns the point of the set
 that lies furthest along it. It has to be a function of its argument alone. What it raises, and a
 TypeError for what is no point, is raised by the call that asked it, when that returns; its answer
-is lost.)")
+is lost. A method of what holds the shape keeps both alive as long as something else has the shape.)",
+                              collected<Of<UserConvex>>())
       .def(py::init([](py::function support, double rounding) {
-             return Of<UserConvex>(UserConvex(std::make_shared<PythonSupport>(std::move(support))), rounding);
+             return Of<UserConvex>(UserConvex(std::make_shared<PythonSupport<PlaneSupport>>(std::move(support))),
+                                   rounding);
            }),
            py::arg("support"), py::arg("rounding") = 0.0);
 }

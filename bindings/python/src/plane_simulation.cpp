@@ -12,8 +12,9 @@ void add_plane_simulation(py::module_& m) {
 gravity: two numbers. sub_steps: of a step, a power of two. sleep: islands at rest cost nothing.
 continuous: what moves fast passes through nothing. most_sub_steps: for an island under load, 64 by
 default. longest_step: longer ones are refused. warm_start: sub-steps begin with the impulses of
-the last one; without it stacks sink and lean. Handles of bodies and joints, filters, and the limits
-and drives of joints are those of space.
+the last one; without it stacks sink and lean. threads: how many run a step, or a `graze.Threads`;
+the result has the same bits. Handles of bodies and joints, filters, and the limits and drives of
+joints are those of space.
 
 >>> from graze import plane
 >>> simulation = plane.Simulation()

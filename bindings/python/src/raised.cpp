@@ -1,28 +1,34 @@
 #include "raised.hpp"
 
+#include <atomic>
 #include <string>
 
 namespace graze::python {
 
 namespace py = pybind11;
 
+/// The exception that the call will raise, if any, is read and written with the interpreter's lock held, but for the
+/// word that there is one.
+struct RunningCall {
+  PyObject *type = nullptr, *value = nullptr, *traceback = nullptr;
+  std::atomic<bool> raises{false};
+};
+
 namespace {
 
-/// A call of the module that runs in this thread, with the exception that it will raise, if any.
-struct Call {
-  Call* outer = nullptr;
-  PyObject *type = nullptr, *value = nullptr, *traceback = nullptr;
-};
-thread_local Call* running = nullptr;
+/// The call that this thread runs or works for.
+thread_local RunningCall* running = nullptr;
 
 /// The C function behind every function that pybind11 makes.
 PyCFunctionWithKeywords dispatcher = nullptr;
 
 PyObject* call(PyObject* self, PyObject* arguments, PyObject* named) {
-  Call own{running};
-  running = &own;
-  PyObject* answer = dispatcher(self, arguments, named);
-  running = own.outer;
+  RunningCall own;
+  PyObject* answer = nullptr;
+  {
+    const WorkingFor working(&own);
+    answer = dispatcher(self, arguments, named);
+  }
   if (own.type == nullptr) return answer;
   Py_XDECREF(answer);
   PyErr_Restore(own.type, own.value, own.traceback);
@@ -57,15 +63,22 @@ void adopt(const py::handle& thing, const std::string& package) {
 
 }  // namespace
 
-bool raising() { return running != nullptr && running->type != nullptr; }
+RunningCall* running_call() { return running; }
+
+WorkingFor::WorkingFor(RunningCall* call) : before_(running) { running = call; }
+WorkingFor::~WorkingFor() { running = before_; }
+
+bool raising() { return running != nullptr && running->raises.load(std::memory_order_relaxed); }
 
 void keep_raised() {
-  if (running == nullptr)
+  if (running == nullptr) {
     PyErr_WriteUnraisable(nullptr);
-  else if (running->type == nullptr)
+  } else if (running->type == nullptr) {
     PyErr_Fetch(&running->type, &running->value, &running->traceback);
-  else
+    running->raises.store(true, std::memory_order_relaxed);
+  } else {
     PyErr_Clear();
+  }
 }
 
 void raise_after_calls(const py::module_& module) {

@@ -11,6 +11,23 @@ namespace graze::python {
 /// Whether the call that runs in this thread will raise: its answer is thrown away, so nobody has to be asked any more.
 bool raising();
 
+/// A call of the module that runs in some thread.
+struct RunningCall;
+/// The one that runs in this thread, or null.
+RunningCall* running_call();
+
+/// Makes this thread one that works for a call, as long as this lives: what functions raise in it, the call raises.
+class WorkingFor {
+ public:
+  explicit WorkingFor(RunningCall* call);
+  ~WorkingFor();
+  WorkingFor(const WorkingFor&) = delete;
+  WorkingFor& operator=(const WorkingFor&) = delete;
+
+ private:
+  RunningCall* before_;
+};
+
 /// Keeps the exception that is set until the call that runs in this thread returns, unless the call has one already. In
 /// a thread in which no call runs, the exception is reported as Python reports those of destructors.
 void keep_raised();

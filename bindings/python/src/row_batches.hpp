@@ -1,5 +1,5 @@
 // Many rays or points at one shape, and many moving pairs, in space and in the plane, which differ in their `Words`.
-// The interpreter's lock is released while they are answered.
+// The interpreter's lock is released while they are answered, on threads if these are given.
 #pragma once
 
 #include <pybind11/stl.h>
@@ -18,7 +18,7 @@ struct HitRow {
   bool there = false;
 
   HitRow() = default;
-  explicit HitRow(const std::optional<Hit>& found) : hit(found.value_or(missed())), there(found.has_value()) {}
+  HitRow(const std::optional<Hit>& found) : hit(found.value_or(missed())), there(found.has_value()) {}
   static Hit missed() {
     Hit none;
     none.t = std::numeric_limits<double>::infinity();
@@ -100,10 +100,24 @@ Contacts found_contacts(const Asked& question, double margin, const std::optiona
   checked_reach(margin, "margin");
   std::optional<std::size_t> count;
   if (most) count = most->at_least<std::size_t>(1, "most");
-  return question.template found<Contacts>([margin, count](const auto& asked, auto& answers) {
-    contacts(asked, margin, answers);
-    if (count) reduce(answers, *count);
-  });
+  return question.template found<Contacts>(
+      [margin, count](const auto& asked, Contacts& answers) {
+        contacts(asked, margin, answers);
+        if (count) reduce(answers, *count);
+      },
+      [](Contacts& all, const Contacts& part, std::size_t) {
+        const auto first_manifold = static_cast<std::uint32_t>(all.manifolds.size());
+        const auto first_point = static_cast<std::uint32_t>(all.points.size());
+        for (auto pair : part.pairs) {
+          pair.first_manifold += first_manifold;
+          all.pairs.push_back(pair);
+        }
+        for (auto manifold : part.manifolds) {
+          manifold.first_point += first_point;
+          all.manifolds.push_back(manifold);
+        }
+        behind(all.points, part.points);
+      });
 }
 
 template <class Words>
@@ -173,24 +187,31 @@ void add_near_pieces(py::module_& batch, const std::string& sides_doc) {
   using Pieces = NearPieces<Words>;
   batch.def(
       "near_pieces",
-      [type = piece_type<Words>()](Object a, Object poses_a, Object b, Object poses_b, double margin, Object pairs) {
-        const Question<Words> question(a, poses_a, b, poses_b, pairs);
+      [type = piece_type<Words>()](Object a, Object poses_a, Object b, Object poses_b, double margin, Object pairs,
+                                   const ThreadsArgument& threads) {
+        const Question<Words> question(a, poses_a, b, poses_b, pairs, threads);
         checked_reach(margin, "margin");
-        Pieces found = question.template found<Pieces>([margin](const typename Words::Batch& asked, Pieces& pieces) {
-          for (std::size_t i = 0; i < asked.size(); ++i) {
-            const IdPair pair = asked[i];
-            asked.a().visit(pair.a, [&](const Shape& p) {
-              asked.b().visit(pair.b, [&](const Shape& q) {
-                near_pieces(p, asked.a().pose(pair.a), q, asked.b().pose(pair.b), margin, pieces.all);
-              });
+        Pieces found = question.template found<Pieces>(
+            [margin](const typename Words::Batch& asked, Pieces& pieces) {
+              each_array(pieces, [](auto& array) { array.clear(); });
+              for (std::size_t i = 0; i < asked.size(); ++i) {
+                const IdPair pair = asked[i];
+                asked.a().visit(pair.a, [&](const Shape& p) {
+                  asked.b().visit(pair.b, [&](const Shape& q) {
+                    near_pieces(p, asked.a().pose(pair.a), q, asked.b().pose(pair.b), margin, pieces.all);
+                  });
+                });
+                pieces.ends.push_back(pieces.all.size());
+              }
+            },
+            [](Pieces& all, const Pieces& part, std::size_t) {
+              for (const std::uint64_t end : part.ends) all.ends.push_back(all.all.size() + end);
+              behind(all.all, part.all);
             });
-            pieces.ends.push_back(pieces.all.size());
-          }
-        });
         return py::make_tuple(records(std::move(found.all), type), records(std::move(found.ends), py::dtype("u8")));
       },
       py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin"),
-      py::arg("pairs") = py::none(),
+      py::arg("pairs") = py::none(), py::arg("threads") = py::none(),
       ("The pairs of convex pieces within `margin` >= 0 of each pair: (pieces, ends), an array of records with the "
        "fields piece_a, piece_b, distance, normal, a, b, status, error, and where those of each pair end in it." +
        sides_doc)
@@ -205,70 +226,78 @@ void add_row_batches(py::module_& batch, const std::string& sides_doc) {
   using Object = const py::object&;
   batch.def(
       "closest",
-      [type = closest_type<Words>()](const Shape& shape, const Placement& pose, Object points) {
+      [type = closest_type<Words>()](const Shape& shape, const Placement& pose, Object points,
+                                     const ThreadsArgument& threads) {
         const auto asked = vectors_of<Words>(points, "points");
-        std::vector<typename Words::Closest> found(asked.size());
-        {
-          const py::gil_scoped_release free;
-          for (std::size_t i = 0; i < asked.size(); ++i) found[i] = closest(shape, pose.value, asked[i]);
-        }
-        return records(std::move(found), type);
+        const auto on = threads.of_call();
+        return records(each_of<typename Words::Closest>(
+                           on.get(), asked.size(), [&](std::size_t i) { return closest(shape, pose.value, asked[i]); }),
+                       type);
       },
-      py::arg("shape"), py::arg("pose"), py::arg("points"),
+      py::arg("shape"), py::arg("pose"), py::arg("points"), py::arg("threads") = py::none(),
       (std::string("The point of a shape's surface nearest to each of many: records with the fields distance (negative "
                    "inside a solid), point, normal, status, error.\n\npoints: ") +
-       Words::vectors + ".")
+       Words::vectors + ". threads: how many answer, or a graze.Threads.")
           .c_str());
 
   const std::string rays_doc =
       std::string("\n\norigins, directions: ") + Words::vectors +
       " for all rays; a direction need not be of unit\nlength. length: what is further along is not met." +
       (Words::back_faces ? " back_faces: whether a triangle is met from behind." : "") +
-      "\nRaises ValueError for what is not finite.";
+      "\nthreads: how many answer, or a graze.Threads. Raises ValueError for what is not finite.";
   const auto define_rays = [&](const char* name, const auto& ask, const char* doc) {
     if constexpr (Words::back_faces)
       batch.def(
           name,
-          [ask](const Shape& shape, const Placement& pose, Object origins, Object directions, double length,
-                bool back) {
-            return ask(shape, pose, rays_of<Words>(origins, directions), checked_reach(length, "length"),
-                       back ? BackFaces::hit : BackFaces::ignored);
+          [ask](const Shape& shape, const Placement& pose, Object origins, Object directions, double length, bool back,
+                const ThreadsArgument& threads) {
+            return ask(threads.of_call(), shape, pose, rays_of<Words>(origins, directions),
+                       checked_reach(length, "length"), back ? BackFaces::hit : BackFaces::ignored);
           },
           py::arg("shape"), py::arg("pose"), py::arg("origins"), py::arg("directions"),
           py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("back_faces") = true,
-          (doc + rays_doc).c_str());
+          py::arg("threads") = py::none(), (doc + rays_doc).c_str());
     else
       batch.def(
           name,
-          [ask](const Shape& shape, const Placement& pose, Object origins, Object directions, double length) {
-            return ask(shape, pose, rays_of<Words>(origins, directions), checked_reach(length, "length"));
+          [ask](const Shape& shape, const Placement& pose, Object origins, Object directions, double length,
+                const ThreadsArgument& threads) {
+            return ask(threads.of_call(), shape, pose, rays_of<Words>(origins, directions),
+                       checked_reach(length, "length"));
           },
           py::arg("shape"), py::arg("pose"), py::arg("origins"), py::arg("directions"),
-          py::arg("length") = std::numeric_limits<double>::infinity(), (doc + rays_doc).c_str());
+          py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("threads") = py::none(),
+          (doc + rays_doc).c_str());
   };
+  using Rays = std::vector<typename Words::Ray>;
+  using On = std::shared_ptr<Threads>;
+  const auto no_parts = [](std::size_t, std::size_t) {};
   define_rays(
       "raycast",
-      [type = ray_row_type<Words>()](const Shape& shape, const Placement& pose,
-                                     const std::vector<typename Words::Ray>& rays, const auto&... how) {
-        std::vector<std::optional<typename Words::RayHit>> hits(rays.size());
-        std::vector<HitRow<typename Words::RayHit>> found(rays.size());
-        {
-          const py::gil_scoped_release free;
-          raycast<double>(shape, pose.value, rays, hits, how...);
-          for (std::size_t i = 0; i < hits.size(); ++i) found[i] = HitRow(hits[i]);
-        }
+      [type = ray_row_type<Words>(), no_parts](const On& on, const Shape& shape, const Placement& pose,
+                                               const Rays& rays, const auto&... how) {
+        auto found = spare_of<std::vector<HitRow<typename Words::RayHit>>>();
+        found.resize(rays.size());
+        cut(on.get(), rays.size(), no_parts, [&](std::size_t begin, std::size_t end, std::size_t) {
+          std::vector<std::optional<typename Words::RayHit>> hits(end - begin);
+          raycast<double>(shape, pose.value, std::span(rays).subspan(begin, end - begin), hits, how...);
+          std::copy(hits.begin(), hits.end(), found.begin() + static_cast<std::ptrdiff_t>(begin));
+        });
         return records(std::move(found), type);
       },
       "What each of many rays hits first: records with the fields t (inf where nothing is hit), point, normal, piece, "
       "hit.");
   define_rays(
       "raycast_any",
-      [](const Shape& shape, const Placement& pose, const std::vector<typename Words::Ray>& rays, const auto&... how) {
-        std::vector<std::uint8_t> found(rays.size());
-        {
-          const py::gil_scoped_release free;
-          raycast_any<double>(shape, pose.value, rays, {reinterpret_cast<bool*>(found.data()), found.size()}, how...);
-        }
+      [no_parts](const On& on, const Shape& shape, const Placement& pose, const Rays& rays, const auto&... how) {
+        auto found = spare_of<std::vector<std::uint8_t>>();
+        found.resize(rays.size());
+        const std::span<bool> hits(reinterpret_cast<bool*>(found.data()), found.size());
+        cut(on.get(), rays.size(), no_parts, [&](std::size_t begin, std::size_t end, std::size_t) {
+          const std::size_t count = end - begin;
+          raycast_any<double>(shape, pose.value, std::span(rays).subspan(begin, count), hits.subspan(begin, count),
+                              how...);
+        });
         return records(std::move(found), py::dtype("?"));
       },
       "Whether each of many rays hits anything: an array of bool.");
@@ -279,31 +308,29 @@ void add_row_batches(py::module_& batch, const std::string& sides_doc) {
       "cast",
       [type = cast_row_type<Words>()](Object a, Object poses_a, Object linear_a, Object b, Object poses_b,
                                       Object linear_b, double duration, Object angular_a, Object angular_b,
-                                      bool ignore_separating, Object pairs) {
+                                      bool ignore_separating, Object pairs, const ThreadsArgument& threads) {
         if (!(checked_reach(duration, "duration") <= largest_magnitude<double>))
           validate::fail("duration", "a finite number >= 0", duration);
-        const Question<Words> question(a, poses_a, b, poses_b, pairs);
+        const Question<Words> question(a, poses_a, b, poses_b, pairs, threads);
         const Velocities<Words> v(linear_a, angular_a, question.batch().a().size(), "a");
         const Velocities<Words> w(linear_b, angular_b, question.batch().b().size(), "b");
         const CastOptions options{ignore_separating ? Separating::ignored : Separating::hit};
-        using Rows = std::vector<HitRow<typename Words::CastHit>>;
-        return records(question.template found<Rows>([&](const typename Words::Batch& asked, Rows& found) {
-          found.resize(asked.size());
-          for (std::size_t i = 0; i < asked.size(); ++i) {
-            const IdPair pair = asked[i];
-            asked.a().visit(pair.a, [&](const Shape& p) {
-              asked.b().visit(pair.b, [&](const Shape& q) {
-                found[i] = HitRow(cast(p, asked.a().pose(pair.a), v[pair.a], q, asked.b().pose(pair.b), w[pair.b],
-                                       duration, options));
-              });
+        using Row = HitRow<typename Words::CastHit>;
+        const typename Words::Batch& asked = question.batch();
+        return records(question.template found_each<Row>([&](std::size_t i) {
+          const IdPair pair = asked[i];
+          return asked.a().visit(pair.a, [&](const Shape& p) {
+            return asked.b().visit(pair.b, [&](const Shape& q) {
+              return Row(
+                  cast(p, asked.a().pose(pair.a), v[pair.a], q, asked.b().pose(pair.b), w[pair.b], duration, options));
             });
-          }
+          });
         }),
                        type);
       },
       py::arg("a"), py::arg("poses_a"), py::arg("linear_a"), py::arg("b"), py::arg("poses_b"), py::arg("linear_b"),
       py::arg("duration") = 1.0, py::arg("angular_a") = still, py::arg("angular_b") = still,
-      py::arg("ignore_separating") = false, py::arg("pairs") = py::none(),
+      py::arg("ignore_separating") = false, py::arg("pairs") = py::none(), py::arg("threads") = py::none(),
       (std::string("When each pair of moving bodies first touches within `duration`: records with the fields t (inf "
                    "where they do not meet), point, normal, depth, status, piece_a, piece_b, hit.\n\n"
                    "linear_a, linear_b: ") +

@@ -4,7 +4,8 @@
 #include <pybind11/stl.h>
 
 #include "bounded_convex.hpp"
-#include "raised.hpp"
+#include "collected.hpp"
+#include "python_support.hpp"
 #include "renamed.hpp"
 
 namespace graze::python {
@@ -19,35 +20,21 @@ struct Of : Shaped {
   const C& concrete() const { return *as<C>(); }
 };
 
-/// A support function in Python.
-class PythonSupport final : public SupportFunction<double> {
- public:
-  explicit PythonSupport(py::function function) : function_(std::move(function)) {}
-  PythonSupport(const PythonSupport&) = delete;
-  PythonSupport& operator=(const PythonSupport&) = delete;
-  ~PythonSupport() override {
-    const py::gil_scoped_acquire lock;
-    function_ = py::function();
-  }
-
-  /// The support point; the origin where the call will raise an exception.
-  Vec3d support(const Vec3d& direction) const override {
-    Vec3d found{};
-    if (raising()) return found;
-    const py::gil_scoped_acquire lock;
-    raise_later([&] {
-      const py::object point = function_(array_of(direction));
-      if (!read_vector(point, found))
-        throw py::type_error("support: expected three numbers, got " + std::string(py::str(py::repr(point))));
-    });
-    return found;
-  }
-
-  const py::function& function() const { return function_; }
-
- private:
-  py::function function_;
+struct SpaceSupport {
+  using Function = SupportFunction<double>;
+  using Vector = Vec3d;
+  static constexpr const char* expected = "three numbers";
+  static py::object object_of(const Vec3d& v) { return array_of(v); }
+  static bool read(const py::object& from, Vec3d& to) { return read_vector(from, to); }
 };
+
+PyObject* held_by(const Of<UserConvex<double>>& shape) {
+  const auto* support = python_support_of<SpaceSupport>(shape.concrete());
+  return support != nullptr ? support->held_alone() : nullptr;
+}
+void let_go(const Of<UserConvex<double>>& shape) {
+  if (const auto* support = python_support_of<SpaceSupport>(shape.concrete())) support->let_go();
+}
 
 // The arguments that make a shape anew, by name.
 
@@ -109,7 +96,7 @@ py::dict arguments(const ConvexHull<double>& hull) {
 }
 py::dict arguments(const UserConvex<double>& user) {
   py::dict a;
-  if (const auto* python = dynamic_cast<const PythonSupport*>(&user.function())) a["support"] = python->function();
+  if (const auto* python = python_support_of<SpaceSupport>(user)) a["support"] = python->function();
   return a;
 }
 py::dict arguments(const HalfSpace<double>&) { return {}; }
@@ -173,8 +160,8 @@ py::dict all_arguments(const Of<C>& shape) {
 
 /// A class of one kind of shape, which still lacks its constructor.
 template <class C>
-py::class_<Of<C>, Shaped> shape_class(py::module_& m, const char* name, const char* doc) {
-  py::class_<Of<C>, Shaped> type(m, name, doc);
+py::class_<Of<C>, Shaped> shape_class(py::module_& m, const char* name, const char* doc, const auto&... more) {
+  py::class_<Of<C>, Shaped> type(m, name, doc, more...);
   type.def("__repr__",
            [name](const Of<C>& shape) {
              std::string text = std::string("graze.") + name + "(";
@@ -322,10 +309,12 @@ void add_convex(py::module_& m) {
 support: takes a direction (an array of three numbers, not zero) and returns the point of the
 set that lies furthest along it. Called from any query, so it has to be a function of its
 argument alone. What it raises, and a TypeError for what is no point, is raised by the call that
-asked it, when that returns; its answer is lost.)")
+asked it, when that returns; its answer is lost. A method of what holds the shape keeps both alive
+as long as something else, a world for instance, has the shape too.)",
+                                  collected<Of<UserConvex<double>>>())
       .def(py::init([](py::function support, double rounding) {
-             return Of<UserConvex<double>>(UserConvex<double>(std::make_shared<PythonSupport>(std::move(support))),
-                                           rounding);
+             return Of<UserConvex<double>>(
+                 UserConvex<double>(std::make_shared<PythonSupport<SpaceSupport>>(std::move(support))), rounding);
            }),
            py::arg("support"), py::arg("rounding") = 0.0);
 }
@@ -412,17 +401,17 @@ z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
           "The pairs (shape, pose) it was made of.");
 }
 
-/// `count` shapes. Throws `InvalidValue` that names the place of a refused one below `path`.
+/// `count` shapes of a kind. Throws `InvalidValue` that names the place of a refused one below `path`.
 template <class Make>
-std::vector<Shaped> shapes_of(std::size_t count, const std::string& path, const Make& make) {
-  std::vector<Shaped> shapes;
+ShapeArray shapes_of(std::size_t count, const std::string& path, const Make& make) {
+  std::vector<decltype(make(count))> shapes;
   shapes.reserve(count);
   for (std::size_t i = 0; i < count; ++i) try {
       shapes.emplace_back(make(i));
     } catch (const InvalidValue& error) {
       throw error.below(path + "[" + std::to_string(i) + "]");
     }
-  return shapes;
+  return ShapeArray(std::move(shapes));
 }
 
 }  // namespace
@@ -483,50 +472,45 @@ Without turning; the result stands at the same pose. Raises ValueError.
 
   py::class_<ShapeArray>(m, "ShapeArray", "Shapes for a batch: converted once, used many times.")
       .def(py::init([](const std::vector<std::reference_wrapper<const Shaped>>& shapes) {
-             return ShapeArray{std::vector<Shaped>(shapes.begin(), shapes.end())};
+             return ShapeArray(std::vector<Shaped>(shapes.begin(), shapes.end()));
            }),
            py::arg("shapes"))
       .def_static(
           "boxes",
           [](const py::object& sizes) {
-            ShapeArray array;
             const std::vector<Vec3d> given = points_of(rows(sizes, 3, "sizes"));
-            array.shapes = shapes_of(given.size(), "sizes", [&](std::size_t i) { return Box<double>(given[i]); });
-            return array;
+            return shapes_of(given.size(), "sizes", [&](std::size_t i) { return Box<double>(given[i]); });
           },
           py::arg("sizes"), "Boxes of the full edge lengths of each row.")
       .def_static(
           "spheres",
           [](const py::object& radii) {
-            ShapeArray array;
             const py::object any = py::isinstance<py::array>(radii) ? radii : py::array::ensure(radii);
             if (!any) throw py::type_error("radii: expected an array of numbers");
             const Rows given = rows(any.attr("reshape")(-1, 1), 1, "radii");
             const auto count = static_cast<std::size_t>(given.size());
-            array.shapes = shapes_of(count, "radii", [&](std::size_t i) { return Sphere<double>(given.data()[i]); });
-            return array;
+            return shapes_of(count, "radii", [&](std::size_t i) { return Sphere<double>(given.data()[i]); });
           },
           py::arg("radii"))
-      .def("__len__", [](const ShapeArray& a) { return a.shapes.size(); })
+      .def("__len__", [](const ShapeArray& a) { return a.size(); })
       .def("__repr__",
-           [](const ShapeArray& a) { return "<graze.ShapeArray of " + std::to_string(a.shapes.size()) + " shapes>"; })
+           [](const ShapeArray& a) { return "<graze.ShapeArray of " + std::to_string(a.size()) + " shapes>"; })
       .def("__reduce__",
            [](const py::object& self) { return py::make_tuple(py::type::of(self), py::make_tuple(py::list(self))); })
       .def("__getitem__",
            [](const ShapeArray& a, py::ssize_t i) {
-             const auto count = static_cast<py::ssize_t>(a.shapes.size());
+             const auto count = static_cast<py::ssize_t>(a.size());
              if (i < -count || i >= count)
                throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(count) + " shapes");
-             return ShapeObject{object_of(a.shapes[static_cast<std::size_t>(i < 0 ? i + count : i)])};
+             return ShapeObject{object_of(a[static_cast<std::size_t>(i < 0 ? i + count : i)])};
            })
       .def("__getitem__", [](const ShapeArray& a, const py::slice& part) {
         py::ssize_t first = 0, end = 0, step = 0, count = 0;
-        if (!part.compute(static_cast<py::ssize_t>(a.shapes.size()), &first, &end, &step, &count))
+        if (!part.compute(static_cast<py::ssize_t>(a.size()), &first, &end, &step, &count))
           throw py::error_already_set();
-        ShapeArray found;
-        for (py::ssize_t i = 0; i < count; ++i)
-          found.shapes.push_back(a.shapes[static_cast<std::size_t>(first + i * step)]);
-        return found;
+        std::vector<Shaped> found;
+        for (py::ssize_t i = 0; i < count; ++i) found.push_back(a[static_cast<std::size_t>(first + i * step)]);
+        return ShapeArray(std::move(found));
       });
 }
 

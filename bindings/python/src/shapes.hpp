@@ -2,6 +2,7 @@
 #pragma once
 
 #include "convert.hpp"
+#include "shape_array.hpp"
 
 namespace graze::python {
 
@@ -14,9 +15,8 @@ struct ShapeObject {
 };
 
 /// A sequence of shapes, for batches: made once, read many times.
-struct ShapeArray {
-  std::vector<Shaped> shapes;
-};
+using ShapeArray = ShapesOf<Shaped, Sphere<double>, Capsule<double>, Box<double>, Cylinder<double>, Ellipsoid<double>,
+                            Rectangle<double>, LineSegment<double>, Triangle<double>, HalfSpace<double>>;
 
 void add_pose(py::module_& m);
 void add_shapes(py::module_& m);

@@ -20,8 +20,10 @@ class OwnSimulation {
  public:
   using Shapes = typename Words::Shapes;
 
+  /// `threads`, which may be null, run the steps.
   template <class... Arguments>
-  explicit OwnSimulation(const Arguments&... arguments) : inner_(arguments...) {}
+  explicit OwnSimulation(std::shared_ptr<Threads> threads, const Arguments&... arguments)
+      : threads_(std::move(threads)), inner_(arguments..., threads_.get()) {}
   OwnSimulation(const OwnSimulation&) = delete;
   OwnSimulation& operator=(const OwnSimulation&) = delete;
 
@@ -39,6 +41,7 @@ class OwnSimulation {
  private:
   Alone alone_;
   Shapes shapes_;
+  std::shared_ptr<Threads> threads_;
   Inner inner_;
 };
 
@@ -90,7 +93,7 @@ class SimulationMethods {
 
 A frame is in the file when `step` returns. Shapes are those that the file holds: a convex hull is
 built anew from its vertices. Raises ValueError for a file that takes no bytes, and for what a file
-cannot hold: a shape with a support function in Python.)");
+cannot hold: a shape with a support function in Python. threads: as of Simulation.)");
     add_constructor<Own, std::filesystem::path>(simulation, py::arg("file"));
     simulation
         .def(
@@ -112,7 +115,8 @@ cannot hold: a shape with a support function in Python.)");
     const Settings usual;
     simulation.def(
         py::init([](const Before&... before, const Vector& gravity, const Whole& sub_steps, bool sleep, bool continuous,
-                    const std::optional<Whole>& most_sub_steps, double longest_step, bool warm_start) {
+                    const std::optional<Whole>& most_sub_steps, double longest_step, bool warm_start,
+                    const ThreadsArgument& threads) {
           Settings settings;
           settings.gravity = gravity.value;
           settings.sub_steps = sub_steps.as<int>("sub_steps");
@@ -122,12 +126,12 @@ cannot hold: a shape with a support function in Python.)");
           settings.continuous = continuous;
           settings.longest_step = longest_step;
           settings.warm_start = warm_start;
-          return std::make_unique<Own>(before..., settings);
+          return std::make_unique<Own>(threads.own(), before..., settings);
         }),
         names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = Whole(usual.sub_steps),
         py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous,
         py::arg("most_sub_steps") = py::none(), py::arg("longest_step") = usual.longest_step,
-        py::arg("warm_start") = usual.warm_start);
+        py::arg("warm_start") = usual.warm_start, py::arg("threads") = py::none());
   }
 
   /// Defines the methods of all simulations.

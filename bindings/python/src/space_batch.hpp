@@ -31,8 +31,9 @@ struct SpaceBatch {
   static constexpr const char* vectors = "shape (n, 3), or three numbers";
   static constexpr const char* turnings = "shape (n, 3), or three numbers";
 
-  static const std::vector<Shape>* array_of_shapes(const py::object& shapes) {
-    return py::isinstance<ShapeArray>(shapes) ? &shapes.cast<const ShapeArray&>().shapes : nullptr;
+  using Shapes = ShapeArray;
+  static const Shapes* array_of_shapes(const py::object& shapes) {
+    return py::isinstance<Shapes>(shapes) ? &shapes.cast<const Shapes&>() : nullptr;
   }
   static Vector vector_of(const double* row) { return {row[0], row[1], row[2]}; }
   static Turning turning_of(const double* row) { return vector_of(row); }

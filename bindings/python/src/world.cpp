@@ -104,7 +104,8 @@ array([1., 0., 0.])
 
 margin: contacts are reported up to this far apart, >= 0; by default a hundredth of the smaller
 body's size. points_per_pair: at most so many points a pair. allow: the final decision on
-pairs that their filters allow, a function of two BodyIds. Raises ValueError.
+pairs that their filters allow, a function of two BodyIds. threads: how many run an update, or a
+`graze.Threads`; the result has the same bits. Raises ValueError.
 
 >>> import graze
 >>> world = graze.World()

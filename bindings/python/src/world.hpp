@@ -4,6 +4,8 @@
 
 #include "alone.hpp"
 #include "capture.hpp"
+#include "collected.hpp"
+#include "threads.hpp"
 
 namespace graze::python {
 
@@ -37,8 +39,10 @@ class OwnWorld : public WorldView<Words> {
  public:
   using Shapes = typename Words::Shapes;
 
+  /// `threads`, which may be null, run the updates.
   template <class... Arguments>
-  explicit OwnWorld(const Arguments&... arguments) : WorldView<Words>(shapes_, alone_), inner_(arguments...) {
+  explicit OwnWorld(std::shared_ptr<Threads> threads, const Arguments&... arguments)
+      : WorldView<Words>(shapes_, alone_), threads_(std::move(threads)), inner_(arguments..., threads_.get()) {
     this->world_ = &asked(inner_);
   }
   OwnWorld(const OwnWorld&) = delete;
@@ -63,32 +67,18 @@ class OwnWorld : public WorldView<Words> {
  private:
   Alone alone_;
   Shapes shapes_;
+  std::shared_ptr<Threads> threads_;
   Inner inner_;
   PyObject* allow_ = nullptr;
 };
 
-/// Lets Python's garbage collector follow a world to the function that decides on its pairs: a method of the object
-/// that holds the world, as often as not, and the two would keep each other alive for good.
-template <class Own>
-py::custom_type_setup collected() {
-  static constexpr auto own_of = [](PyObject* self) -> Own* {
-    const auto* type = py::detail::get_type_info(typeid(Own));
-    const auto held = reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder(type, false);
-    return held.inst != nullptr && held.holder_constructed() ? held.template value_ptr<Own>() : nullptr;
-  };
-  return py::custom_type_setup([](PyHeapTypeObject* heap_type) {
-    PyTypeObject& type = heap_type->ht_type;
-    type.tp_flags |= Py_TPFLAGS_HAVE_GC;
-    type.tp_traverse = [](PyObject* self, visitproc visit, void* arg) -> int {
-      Py_VISIT(Py_TYPE(self));
-      if (const Own* own = own_of(self)) Py_VISIT(own->allow());
-      return 0;
-    };
-    type.tp_clear = [](PyObject* self) -> int {
-      if (Own* own = own_of(self)) own->forget_allow();
-      return 0;
-    };
-  });
+template <class Words, class Inner>
+PyObject* held_by(const OwnWorld<Words, Inner>& world) {
+  return world.allow();
+}
+template <class Words, class Inner>
+void let_go(OwnWorld<Words, Inner>& world) {
+  world.forget_allow();
 }
 
 /// A body's place in the arrays of its world. Throws `InvalidValue` for one that is gone.

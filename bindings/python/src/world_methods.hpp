@@ -10,6 +10,7 @@
 #include "graze/world/reduce.hpp"
 #include "plain_values.hpp"
 #include "shapes.hpp"
+#include "spare.hpp"
 #include "whole.hpp"
 #include "world.hpp"
 
@@ -46,14 +47,15 @@ class WorldMethods {
     py::class_<Own, View> world(m, "World", world_doc, collected<Own>());
     world
         .def(py::init([](std::optional<double> margin, const std::optional<Whole>& points_per_pair,
-                         const py::object& allow) {
+                         const py::object& allow, const ThreadsArgument& threads) {
                WorldSettings<double> given = settings(margin, points_per_pair);
                given.allow = decision<BodyId, BodyId>(allow, "allow");
-               auto made = std::make_unique<Own>(given);
+               auto made = std::make_unique<Own>(threads.own(), given);
                made->note_allow(allow);
                return made;
              }),
-             py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none(), py::arg("allow") = py::none())
+             py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none(), py::arg("allow") = py::none(),
+             py::arg("threads") = py::none())
         .def(
             "set_allow",
             [](Own& w, const py::object& allow) {
@@ -90,13 +92,14 @@ does it in every update. Raises ValueError for no points.)");
 
 A frame is in the file when `update` returns. Shapes are those that the file holds: a convex hull is
 built anew from its vertices. Raises ValueError for a file that takes no bytes, and for what a file
-cannot hold: a shape with a support function in Python.)");
+cannot hold: a shape with a support function in Python. threads: as of World.)");
     world
         .def(py::init([](const std::filesystem::path& file, std::optional<double> margin,
-                         const std::optional<Whole>& points_per_pair) {
-               return std::make_unique<Own>(file, settings(margin, points_per_pair));
+                         const std::optional<Whole>& points_per_pair, const ThreadsArgument& threads) {
+               return std::make_unique<Own>(threads.own(), file, settings(margin, points_per_pair));
              }),
-             py::arg("file"), py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none())
+             py::arg("file"), py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none(),
+             py::arg("threads") = py::none())
         .def(
             "set_name", [](Own& w, BodyId id, const std::string& name) { w.change()->set_name(id, name); },
             py::arg("body"), py::arg("name"), "What `graze.replay` calls a body from here on.");
