@@ -32,7 +32,7 @@ PLANE_CLASSES = [
     "Collider", "Scene", "StruckBody", "Blow", "FreeBody", "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
 PLANE_FUNCTIONS = [
     "along_lines", "cast_all", "draw_cast", "draw_joint", "draw_ray", "feature_corners", "pass_on", "pose_at", "raycast_all",
-    "raycast_any", "tessellate", "load"]
+    "raycast_any", "tessellate", "load", "simulate"]
 # What pybind11 calls things, and what they are called in Python.
 NAMES = [
     (r"\bgraze\.(_graze|plane)\.", ""),
@@ -56,6 +56,7 @@ ANSWERS = {
     "cast_all": "list[CastHit]",
     "closest": "Closest",
     "collide": "list[tuple[int, int, list[Manifold]]]",
+    "collide_frames": "list[tuple[float, str, int, int, bool, float | None]]",
     "contacts": "list[Manifold]",
     "distance": "Distance",
     "distance_up_to": "Distance | None",

@@ -133,3 +133,106 @@ def test_a_scene_is_simulated_by_what_it_tells():
     for _ in range(60):
         simulation.step(1 / 60)
     assert np.isfinite(simulation.poses).all() and not np.array_equal(simulation.poses, before)
+
+
+def test_animations_are_read_where_they_are_asked_for():
+    assert graze.load(SCENES / "moving.gltf").animations == []
+    scene = graze.load(SCENES / "moving.gltf", animations=True)
+    [(name, seconds), *_] = scene.animations
+    assert isinstance(name, str) and seconds > 0
+    moved = graze.animated_colliders(scene)
+    assert moved and all(0 <= i < len(scene.colliders) for i in moved)
+    events = graze.collide_frames(scene, fps=60)
+    assert events == graze.collide_frames(scene, animation=name or 0, fps=60)
+    assert all(0 <= time <= seconds and kind in ("begin", "end") and a < b for time, kind, a, b, _, _ in events)
+    assert any(kind == "begin" for _, kind, *_ in events)
+    assert [time for time, *_ in events] == sorted(time for time, *_ in events)
+    assert all(time <= 0.5 for time, *_ in graze.collide_frames(scene, duration=0.5))
+
+
+def test_animations_that_are_none_are_refused():
+    scene = graze.load(SCENES / "moving.gltf", animations=True)
+    for animation in (99, "no such", -1):
+        for ask in (graze.animated_colliders, graze.collide_frames):
+            with pytest.raises(ValueError):
+                ask(scene, animation=animation)
+    for wrong in ({"fps": 0}, {"fps": float("nan")}, {"duration": -1}, {"margin": -1}):
+        with pytest.raises(ValueError):
+            graze.collide_frames(scene, **wrong)
+    with pytest.raises(ValueError):
+        graze.collide_frames(graze.load(SCENES / "demo.gltf"))
+
+
+def frames_of(kit, scene, **how):
+    frames = []
+    summary = kit.simulate(scene, frames.append, **how)
+    return frames, summary
+
+
+@pytest.mark.parametrize("threads", [None, 3])
+@pytest.mark.parametrize("kit", [graze, plane], ids=["space", "plane"])
+def test_scenes_are_played(kit, threads, tmp_path):
+    scene = kit.load(SCENES / ("demo.gltf" if kit is graze else "plane.svg"))
+    count, place = len(scene.moving_bodies), 7 if kit is graze else 3
+    frames, summary = frames_of(
+        kit, scene, seconds=0.5, rate=60, threads=threads, out=tmp_path / "moved.jsonl", capture=tmp_path / "moved.capture"
+    )
+    assert count > 0 and len(frames) == 31 and summary["steps"] == 30 and summary["bodies"] == count
+    assert [frame["time"] for frame in frames] == [i / 60 for i in range(31)]
+    for frame in frames:
+        assert frame["poses"].shape == (count, place) and frame["asleep"].shape == (count,)
+        assert len(frame["linear"]) == len(frame["angular"]) == count
+    assert not np.array_equal(frames[0]["poses"], frames[-1]["poses"])
+    lower, upper = scene.colliders[0].shape.bounds(frames[-1]["poses"][0])  # a row is a pose
+    assert (lower <= upper).all()
+    assert (tmp_path / "moved.jsonl").read_text().count("\n") >= 31
+    assert graze.replay(tmp_path / "moved.capture")["difference"] is None
+    again, _ = frames_of(kit, scene, seconds=0.5, rate=60)
+    assert all(np.array_equal(a["poses"], b["poses"]) for a, b in zip(frames, again))
+
+
+def test_a_played_scene_is_that_of_a_simulation(tmp_path):
+    """A scene of free bodies, played and simulated by hand."""
+    file = tmp_path / "fall.json"
+    file.write_text(
+        '{"dimension": 2, "bodies": ['
+        '{"name": "ground", "translation": [0, -0.5], "shape": {"type": "box", "box": {"size": [9, 1]}}},'
+        '{"name": "wheel", "motion": "dynamic", "translation": [0, 2], "shape": {"type": "circle", "circle": {"radius": 1}}}]}'
+    )
+    scene = plane.load(file)
+    frames, _ = frames_of(plane, scene, seconds=1)
+    simulation = plane.Simulation()
+    ground, wheel = scene.colliders
+    simulation.add(ground.shape, ground.pose, fixed=True)
+    body = simulation.add(wheel.shape, wheel.pose, material=plane.Material(static_friction=0.6, dynamic_friction=0.6))
+    for _ in range(60):
+        simulation.step(1 / 60)
+    assert frames[-1]["poses"][0, :2].tolist() == simulation.pose(body).translation.tolist()
+
+
+def test_an_animated_scene_follows_its_keyframes(tmp_path):
+    file = SCENES / "moving.gltf"
+    still, _ = frames_of(graze, graze.load(file), seconds=0.5)
+    moved, _ = frames_of(graze, graze.load(file, animations=True), seconds=0.5)
+    assert len(still) == len(moved) == 31
+    graze.simulate(graze.load(file), seconds=0.2, out=tmp_path / "moved.gltf", source=file)
+    assert "simulation" in [name for name, _ in graze.load(tmp_path / "moved.gltf", animations=True).animations]
+
+
+def test_what_playing_refuses(tmp_path):
+    scene = graze.load(SCENES / "demo.gltf")
+    for wrong in (
+        {"seconds": -1}, {"rate": 0}, {"gravity": (0, float("nan"), 0)}, {"sub_steps": 3}, {"threads": 0},
+        {"out": tmp_path / "moved.txt"}, {"capture": tmp_path / "no" / "where"},
+    ):
+        with pytest.raises(ValueError):
+            graze.simulate(scene, **wrong)
+
+    def refuse(frame):
+        if frame["time"] > 0.05:
+            raise KeyError("enough")
+
+    with pytest.raises(KeyError, match="enough"):
+        graze.simulate(scene, refuse)
+    with pytest.raises(ValueError):
+        plane.simulate(plane.load(SCENES / "plane.svg"), rate=0)

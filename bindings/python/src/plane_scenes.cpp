@@ -3,7 +3,9 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "graze/io/plane_scene.hpp"
+#include "graze/io/plane_simulate.hpp"
 #include "plane_convert.hpp"
+#include "playing.hpp"
 #include "scene_text.hpp"
 #include "shapes.hpp"
 
@@ -36,6 +38,9 @@ void add_plane_scenes(py::module_& m) {
           },
           "(name, 'static', 'dynamic' or 'kinematic') of each.")
       .def_property_readonly(
+          "moving_bodies", [](const Scene& scene) { return io::moving_bodies(scene); },
+          "The indices of the bodies that `simulate` moves, in the order of its frames.")
+      .def_property_readonly(
           "gravity",
           [](const Scene& scene) { return scene.gravity ? py::object(array_of(*scene.gravity)) : py::none(); },
           "The file's gravity, or None.")
@@ -46,6 +51,7 @@ void add_plane_scenes(py::module_& m) {
 
 The Y axis points up: a point (x, y) of a drawing is (x, -y) here. Raises ValueError for a file that
 cannot be read, with the line and the place of the fault.)");
+  add_plane_playing(m);
 }
 
 }  // namespace graze::python

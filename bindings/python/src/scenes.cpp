@@ -1,11 +1,13 @@
 // Scenes from files, and the query protocol.
 #include "answers.hpp"
+#include "playing.hpp"
 #include "scene_physics.hpp"
 #include "shapes.hpp"
 
 #include "graze/io/collide.hpp"
 #include "graze/io/plane_scene.hpp"
 #include "graze/io/protocol.hpp"
+#include "graze/io/recording.hpp"
 #include "graze/io/scene.hpp"
 
 #include <pybind11/stl.h>
@@ -15,12 +17,13 @@ namespace graze::python {
 
 namespace {
 
-io::LoadOptions load_options(const std::string& colliders) {
+io::LoadOptions load_options(const std::string& colliders, bool animations) {
   constexpr std::pair<const char*, io::MeshColliders> names[] = {{"mesh", io::MeshColliders::mesh},
                                                                  {"hull", io::MeshColliders::hull},
                                                                  {"box", io::MeshColliders::box},
                                                                  {"sphere", io::MeshColliders::sphere}};
   io::LoadOptions options;
+  options.animations = animations;
   for (const auto& [text, kind] : names)
     if (colliders == text) {
       options.mesh_colliders = kind;
@@ -76,6 +79,18 @@ linear_velocity is that of the centre of mass and angular_velocity in radians, i
 
 a, b: indices of `bodies`, None for the world, where the frame is in the world at rest.)")
       .def_property_readonly(
+          "animations",
+          [](const io::Scene& scene) {
+            py::list out;
+            for (const auto& animation : scene.animations)
+              out.append(py::make_tuple(file_text(animation.name), animation.duration));
+            return out;
+          },
+          "(name, seconds) of each animation of the file, where it was loaded with `animations=True`.")
+      .def_property_readonly(
+          "moving_bodies", [](const io::Scene& scene) { return io::moving_bodies(scene); },
+          "The indices of the bodies that `simulate` moves, in the order of its frames.")
+      .def_property_readonly(
           "bodies",
           [](const io::Scene& scene) {
             py::list out;
@@ -87,15 +102,16 @@ a, b: indices of `bodies`, None for the world, where the frame is in the world a
           "(name, 'static', 'dynamic' or 'kinematic', Pose) of each.");
   m.def(
       "load",
-      [](const std::filesystem::path& file, const std::string& colliders) {
+      [](const std::filesystem::path& file, const std::string& colliders, bool animations) {
         if (io::is_plane_scene(file))
           throw InvalidValue("file", "a scene of space; graze.plane.load reads those of the plane", file.string());
-        return io::load_scene(file, load_options(colliders));
+        return io::load_scene(file, load_options(colliders, animations));
       },
-      py::arg("file"), py::arg("colliders") = "mesh",
+      py::arg("file"), py::arg("colliders") = "mesh", py::arg("animations") = false,
       R"(Reads a scene: glTF 2.0 (with KHR_implicit_shapes and KHR_physics_rigid_bodies), OBJ, STL, PLY.
 
 colliders: what meshes of files without physics become: 'mesh', 'hull', 'box' or 'sphere'.
+animations: whether those of glTF are read too, for `simulate` and `collide_frames`.
 Raises ValueError for a file that cannot be read, with the place of the fault. Drawings of the plane
 (.svg, .json) are read by `graze.plane.load`.)");
   m.def(
@@ -131,6 +147,7 @@ margin: >= 0, up to which contacts count. Raises ValueError for one that is nega
 ...              ' "b": {"shape": {"type": "sphere", "sphere": {"radius": 1}}, "translation": [1, 0, 0]}}')
 '{"id":1,"overlap":true}'
 )");
+  add_playing(m);
 }
 
 }  // namespace graze::python

@@ -4,16 +4,19 @@ from typing import Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .. import Threads
 from . import PoseLike, Shape
 
 Shapes = Union[Shape, Iterable[Shape]]
 Poses = Union[PoseLike, Iterable[PoseLike]]
 
 def overlap(
-    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, pairs: ArrayLike | None = None
+    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses,
+    pairs: ArrayLike | None = None, threads: Threads | int | None = None
 ) -> NDArray[np.bool_]: ...
 def distance(
-    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, pairs: ArrayLike | None = None
+    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses,
+    pairs: ArrayLike | None = None, threads: Threads | int | None = None
 ) -> NDArray[np.void]: ...
 def contacts(
     a: Shapes,
@@ -23,16 +26,22 @@ def contacts(
     margin: float = 0.0,
     pairs: ArrayLike | None = None,
     most: int | None = None,
+    threads: Threads | int | None = None,
 ) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.void]]: ...
 def near_pieces(
-    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, margin: float, pairs: ArrayLike | None = None
+    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, margin: float,
+    pairs: ArrayLike | None = None, threads: Threads | int | None = None
 ) -> tuple[NDArray[np.void], NDArray[np.uint64]]: ...
-def closest(shape: Shape, pose: PoseLike, points: ArrayLike) -> NDArray[np.void]: ...
+def closest(
+    shape: Shape, pose: PoseLike, points: ArrayLike, threads: Threads | int | None = None
+) -> NDArray[np.void]: ...
 def raycast(
-    shape: Shape, pose: PoseLike, origins: ArrayLike, directions: ArrayLike, length: float = ...
+    shape: Shape, pose: PoseLike, origins: ArrayLike, directions: ArrayLike, length: float = ...,
+    threads: Threads | int | None = None,
 ) -> NDArray[np.void]: ...
 def raycast_any(
-    shape: Shape, pose: PoseLike, origins: ArrayLike, directions: ArrayLike, length: float = ...
+    shape: Shape, pose: PoseLike, origins: ArrayLike, directions: ArrayLike, length: float = ...,
+    threads: Threads | int | None = None,
 ) -> NDArray[np.bool_]: ...
 def cast(
     a: Shapes,
@@ -46,4 +55,5 @@ def cast(
     angular_b: ArrayLike = 0.0,
     ignore_separating: bool = False,
     pairs: ArrayLike | None = None,
+    threads: Threads | int | None = None,
 ) -> NDArray[np.void]: ...
