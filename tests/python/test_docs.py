@@ -13,7 +13,8 @@ import graze._graze
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def test_the_page():
+def test_the_page(monkeypatch):
+    monkeypatch.chdir(ROOT)  # scenes are named from there
     result = doctest.testfile(str(ROOT / "docs" / "python.md"), module_relative=False)
     assert result.attempted > 15 and result.failed == 0
 
