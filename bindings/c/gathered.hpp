@@ -21,7 +21,6 @@ inline std::size_t chunk_for(const Executor* executor) {
   constexpr std::size_t for_each_thread = 8192, most_threads = 1024;
   return executor ? for_each_thread * std::min(executor->concurrency(), most_threads) : chunk_size;
 }
-inline std::size_t chunk_for() { return chunk_size; }
 
 /// One side of a batch. `Space` names the types of a dimension and scalar.
 template <class Space>

@@ -84,15 +84,15 @@ void Calls::ask_batch() {
   if (!told(graze_batch_size_d(in.maybe(&batch), in.maybe(&size)))) return;
   std::vector<std::uint8_t> touch(size);
   std::vector<GrazeDistanced> distances(size);
-  told(graze_overlap_batch_d(&batch, in.maybe(touch.data()), 0));
-  told(graze_distance_batch_d(&batch, in.maybe(distances.data()), 0));
+  told(graze_overlap_batch_d(&batch, in.maybe(touch.data()), 0, nullptr));
+  told(graze_distance_batch_d(&batch, in.maybe(distances.data()), 0, nullptr));
   GrazeBatchContactsd contacts;
   GrazeCompactContactsd compact;
-  if (told(graze_compact_contacts_batch_d(&batch, in.length(), in.maybe(buffer), in.maybe(&compact))))
+  if (told(graze_compact_contacts_batch_d(&batch, in.length(), in.maybe(buffer), in.maybe(&compact), nullptr)))
     for (std::size_t i = 0; i < compact.manifold_count; ++i)
       require(compact.manifolds[i].first_point + compact.manifolds[i].point_count <= compact.point_count);
   const std::size_t most = in.byte();
-  if (told(graze_contacts_batch_reduced_d(&batch, in.length(), most, in.maybe(buffer), &contacts)))
+  if (told(graze_contacts_batch_reduced_d(&batch, in.length(), most, in.maybe(buffer), &contacts, nullptr)))
     require(contacts.pair_count == size && contacts.point_count <= most * size);
   const GrazePieceDistanced* pieces;
   const std::size_t* ends;

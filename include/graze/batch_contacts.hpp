@@ -28,6 +28,20 @@ struct BatchContacts {
   std::vector<Group> manifolds;  ///< manifolds of a pair are contiguous
   std::vector<Point> points;     ///< points of a manifold are contiguous
 
+  /// Puts the contacts of other pairs behind these.
+  void append(const BatchContacts& others) {
+    const auto first_manifold = static_cast<std::uint32_t>(manifolds.size()),
+               first_point = static_cast<std::uint32_t>(points.size());
+    for (Pair pair : others.pairs) {
+      pair.first_manifold += first_manifold;
+      pairs.push_back(pair);
+    }
+    for (Group manifold : others.manifolds) {
+      manifold.first_point += first_point;
+      manifolds.push_back(manifold);
+    }
+    points.insert(points.end(), others.points.begin(), others.points.end());
+  }
   std::span<const Group> manifolds_of(std::size_t pair) const {
     return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);
   }

@@ -49,6 +49,17 @@ class GRAZE_API Bodies {
   }
   /// The rounding radius of the i-th shape: zero for shapes of one kind, since only a `Shape` has one.
   T rounding(std::size_t i) const { return one_kind() ? T(0) : any(i).rounding(); }
+  /// The bodies from the `begin`-th to the one before the `end`-th, as a view of the same arrays.
+  Bodies part(std::size_t begin, std::size_t end) const {
+    Bodies some = *this;
+    some.size_ = end - begin;
+    if (shape_count_ != 1) {
+      some.shapes_ = static_cast<const char*>(shapes_) + begin * stride_;
+      some.shape_count_ = end - begin;
+    }
+    if (poses_.size() != 1) some.poses_ = poses_.subspan(begin, end - begin);
+    return some;
+  }
   /// The i-th shape as a value; where all are of one kind, lent by the concrete shape.
   Shape shape(std::size_t i) const { return one_kind() ? made_(concrete(i)) : any(i); }
   /// Calls `f` with the i-th shape, without a copy unless all are of one kind.
@@ -93,6 +104,18 @@ class GRAZE_API Batch {
     return {a_.size() == 1 ? 0 : place, b_.size() == 1 ? 0 : place};
   }
 
+  /// The pairs from the `begin`-th to the one before the `end`-th, as a view of the same arrays.
+  Batch part(std::size_t begin, std::size_t end) const {
+    Batch some = *this;
+    some.size_ = end - begin;
+    if (!pairs_.empty()) {
+      some.pairs_ = pairs_.subspan(begin, end - begin);
+    } else {
+      if (a_.size() != 1) some.a_ = a_.part(begin, end);
+      if (b_.size() != 1) some.b_ = b_.part(begin, end);
+    }
+    return some;
+  }
   /// Calls `f(shape_a, pose_a, shape_b, pose_b)` with the i-th pair.
   template <class F>
   decltype(auto) visit(std::size_t i, F&& f) const {

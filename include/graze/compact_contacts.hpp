@@ -5,6 +5,7 @@
 // without contacts take no memory: four points of two boxes take 88 bytes in float, in `BatchContacts` 184.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,10 +29,20 @@ struct CompactContacts {
     T distance{};        ///< signed: negative is penetration
   };
   /// Manifolds of a pair are contiguous. Pairs may come in another order than in the batch; the order is a function of
-  /// the batch alone.
+  /// the batch and of whether there is an executor.
   std::vector<Group> manifolds;
   std::vector<Point> points;  ///< points of a manifold are contiguous
 
+  /// Puts the contacts of other pairs, which are those of the batch from the `first_pair`-th on, behind these.
+  void append(const CompactContacts& others, std::size_t first_pair) {
+    const auto before = static_cast<std::uint32_t>(first_pair), first_point = static_cast<std::uint32_t>(points.size());
+    for (Group manifold : others.manifolds) {
+      manifold.pair += before;
+      manifold.first_point += first_point;
+      manifolds.push_back(manifold);
+    }
+    points.insert(points.end(), others.points.begin(), others.points.end());
+  }
   std::span<const Point> points_of(const Group& m) const {
     return std::span(points).subspan(m.first_point, m.point_count);
   }

@@ -966,17 +966,22 @@ typedef struct GrazeBatchd {
 // The number of pairs of a batch, and so of the answers to its queries.
 GRAZE_C_API GrazeStatus graze_batch_size_d(const GrazeBatchd *batch, size_t *size);
 
-// Overlap of each pair: 1 or 0; the distance of each pair.
-GRAZE_C_API GrazeStatus graze_overlap_batch_d(const GrazeBatchd *batch, uint8_t *touch, size_t stride);
-GRAZE_C_API GrazeStatus graze_distance_batch_d(const GrazeBatchd *batch, GrazeDistanced *distances, size_t stride);
+// Overlap of each pair: 1 or 0; the distance of each pair. `executor` may be null: the calling thread. The answers are
+// the same, but manifolds and points of contacts come in another order with one than without, whatever its number of
+// threads; functions that a shape calls back are called from them.
+GRAZE_C_API GrazeStatus graze_overlap_batch_d(const GrazeBatchd *batch, uint8_t *touch, size_t stride,
+                                              const GrazeExecutor *executor);
+GRAZE_C_API GrazeStatus graze_distance_batch_d(const GrazeBatchd *batch, GrazeDistanced *distances, size_t stride,
+                                               const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
-                                               GrazeBatchContactsd *contacts);
+                                               GrazeBatchContactsd *contacts, const GrazeExecutor *executor);
 // The contacts, reduced to at most `most` >= 1 points a pair, as those of `graze_contacts_reduced_d`.
 GRAZE_C_API GrazeStatus graze_contacts_batch_reduced_d(const GrazeBatchd *batch, double margin, size_t most,
-                                                       GrazeBufferd *buffer, GrazeBatchContactsd *contacts);
+                                                       GrazeBufferd *buffer, GrazeBatchContactsd *contacts,
+                                                       const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_compact_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
-                                                       GrazeCompactContactsd *contacts);
-// The pieces of all pairs, those of a pair contiguous; `ends[i]`, one for each pair, is the end of the i-th pair's.
+                                                       GrazeCompactContactsd *contacts, const GrazeExecutor *executor);
+// The pieces of all pairs, on the calling thread, those of a pair contiguous; `ends[i]`, one for each pair, is the end of the i-th pair's.
 GRAZE_C_API GrazeStatus graze_near_pieces_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                   const GrazePieceDistanced **pieces, const size_t **ends,
                                                   size_t *count);
@@ -1693,8 +1698,8 @@ typedef struct GrazePlaneBatchd {
 } GrazePlaneBatchd;
 
 GRAZE_C_API GrazeStatus graze_plane_batch_size_d(const GrazePlaneBatchd *batch, size_t *size);
-// `executor` may be null in all batches of the plane: the calling thread. The answers are the same; functions that a
-// shape calls back are called from its threads.
+// `executor` may be null in all batches of the plane: the calling thread. The answers are the same, in the same order;
+// functions that a shape calls back are called from its threads.
 GRAZE_C_API GrazeStatus graze_plane_overlap_batch_d(const GrazePlaneBatchd *batch, uint8_t *touch, size_t stride,
                                                     const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_plane_distance_batch_d(const GrazePlaneBatchd *batch, GrazePlaneDistanced *distances,
@@ -2583,14 +2588,17 @@ typedef struct GrazeBatchf {
 
 GRAZE_C_API GrazeStatus graze_batch_size_f(const GrazeBatchf *batch, size_t *size);
 
-GRAZE_C_API GrazeStatus graze_overlap_batch_f(const GrazeBatchf *batch, uint8_t *touch, size_t stride);
-GRAZE_C_API GrazeStatus graze_distance_batch_f(const GrazeBatchf *batch, GrazeDistancef *distances, size_t stride);
+GRAZE_C_API GrazeStatus graze_overlap_batch_f(const GrazeBatchf *batch, uint8_t *touch, size_t stride,
+                                              const GrazeExecutor *executor);
+GRAZE_C_API GrazeStatus graze_distance_batch_f(const GrazeBatchf *batch, GrazeDistancef *distances, size_t stride,
+                                               const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_contacts_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
-                                               GrazeBatchContactsf *contacts);
+                                               GrazeBatchContactsf *contacts, const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_contacts_batch_reduced_f(const GrazeBatchf *batch, float margin, size_t most,
-                                                       GrazeBufferf *buffer, GrazeBatchContactsf *contacts);
+                                                       GrazeBufferf *buffer, GrazeBatchContactsf *contacts,
+                                                       const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_compact_contacts_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
-                                                       GrazeCompactContactsf *contacts);
+                                                       GrazeCompactContactsf *contacts, const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_near_pieces_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
                                                   const GrazePieceDistancef **pieces, const size_t **ends,
                                                   size_t *count);

@@ -127,10 +127,9 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Execut
 
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor) {
-  found.pairs.resize(batch.size());
-  found.manifolds.clear();
-  found.points.clear();
+  found.pairs.clear(), found.manifolds.clear(), found.points.clear();
   if (!executor) {
+    found.pairs.resize(batch.size());
     for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
       append_chunk(batch, begin, end, margin, found, found.pairs.data());
     });
@@ -139,19 +138,10 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor
   // Each chunk into arrays of its own, which are then put one behind the other.
   std::vector<BatchContacts<T>> parts((batch.size() + chunk_pairs - 1) / chunk_pairs);
   for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-    append_chunk(batch, begin, end, margin, parts[chunk], found.pairs.data());
+    parts[chunk].pairs.resize(end - begin);
+    append_chunk(batch.part(begin, end), 0, end - begin, margin, parts[chunk], parts[chunk].pairs.data());
   });
-  for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
-    const auto manifolds = static_cast<std::uint32_t>(found.manifolds.size()),
-               points = static_cast<std::uint32_t>(found.points.size());
-    for (std::size_t i = chunk * chunk_pairs; i < std::min(batch.size(), (chunk + 1) * chunk_pairs); ++i)
-      found.pairs[i].first_manifold += manifolds;
-    for (typename BatchContacts<T>::Group group : parts[chunk].manifolds) {
-      group.first_point += points;
-      found.manifolds.push_back(group);
-    }
-    found.points.insert(found.points.end(), parts[chunk].points.begin(), parts[chunk].points.end());
-  }
+  for (const BatchContacts<T>& part : parts) found.append(part);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

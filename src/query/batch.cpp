@@ -4,6 +4,7 @@
 #include <array>
 
 #include "query/batch_mpr.hpp"
+#include "query/batch_parts.hpp"
 #include "query/batch_rows.hpp"
 
 namespace graze {
@@ -76,42 +77,45 @@ void answer_queue(const Query& query, const LanesFor& lanes, const Queue<T>& que
   });
 }
 
-/// The answers for all pairs of a batch, for which there must be room. Kernels list the pairs that they do not answer;
-/// `other(i)` answers for a pair of kinds without a kernel.
+/// Writes the answers for all pairs of a batch. Kernels list the pairs that they do not answer; `other(i)` answers for
+/// a pair of kinds without a kernel.
 template <class Query, class T, class Other>
-void answer(const Query& query, const Batch<T>& batch, std::vector<typename Query::Answer>& answers,
-            const Other& other) {
+void answer(const Query& query, const Batch<T>& batch, typename Query::Answer* answers, const Other& other) {
   const LanesFor lanes = lanes_of_batch(batch);
-  if (Query::kernels(lanes.pair)) return answer_rows<Query, T>(query, lanes, answers.data());
+  if (Query::kernels(lanes.pair)) return answer_rows<Query, T>(query, lanes, answers);
   visit_batch(
       batch, T(0), Query::kernels, Query::kernels,
-      [&](const LanesFor& waiting, const Queue<T>& queue) {
-        answer_queue<Query, T>(query, waiting, queue, answers.data());
-      },
+      [&](const LanesFor& waiting, const Queue<T>& queue) { answer_queue<Query, T>(query, waiting, queue, answers); },
       other);
 }
 
 }  // namespace
 
 template <class T>
-void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
+void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor) {
   touch.resize(batch.size());
-  const Overlaps<T> query{batch};
-  MprQueues mpr(batch, touch.data(), [&](std::size_t i) { return query.single(i); });
-  answer(query, batch, touch, [&](std::size_t i) { mpr.add(i); });
-  mpr.finish();
+  for_parts(executor, batch, [&](const Batch<T>& some, std::size_t first) {
+    const Overlaps<T> query{some};
+    std::uint8_t* const answers = touch.data() + first;
+    MprQueues mpr(some, answers, [&](std::size_t i) { return query.single(i); });
+    answer(query, some, answers, [&](std::size_t i) { mpr.add(i); });
+    mpr.finish();
+  });
 }
 
 template <class T>
-void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
+void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor) {
   distances.resize(batch.size());
-  const Distances<T> query{batch};
-  answer(query, batch, distances, [&](std::size_t i) { distances[i] = query.single(i); });
+  for_parts(executor, batch, [&](const Batch<T>& some, std::size_t first) {
+    const Distances<T> query{some};
+    Distance<T>* const answers = distances.data() + first;
+    answer(query, some, answers, [&](std::size_t i) { answers[i] = query.single(i); });
+  });
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template void overlap(const Batch<T>&, std::vector<std::uint8_t>&);                                                  \
-  template void distance(const Batch<T>&, std::vector<Distance<T>>&);
+  template void overlap(const Batch<T>&, std::vector<std::uint8_t>&, Executor*);                                       \
+  template void distance(const Batch<T>&, std::vector<Distance<T>>&, Executor*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

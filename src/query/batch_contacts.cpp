@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "graze/batch.hpp"
+#include "query/batch_parts.hpp"
 #include "query/contact_writing.hpp"
 
 namespace graze {
@@ -173,12 +174,19 @@ class Writer {
 }  // namespace
 
 template <class T>
-void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
-  Writer<T> writer(found, batch.size());
-  write_contacts(batch, margin, writer);
+void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor) {
+  const auto find = [margin](const Batch<T>& some, BatchContacts<T>& of_some) {
+    Writer<T> writer(of_some, some.size());
+    write_contacts(some, margin, writer);
+  };
+  if (executor == nullptr) return find(batch, found);
+  found.pairs.clear(), found.manifolds.clear(), found.points.clear();
+  found.pairs.reserve(batch.size());
+  find_in_parts<BatchContacts<T>>(*executor, batch, find,
+                                  [&](const BatchContacts<T>& some, std::size_t) { found.append(some); });
 }
 
-template void contacts(const Batch<float>&, float, BatchContacts<float>&);
-template void contacts(const Batch<double>&, double, BatchContacts<double>&);
+template void contacts(const Batch<float>&, float, BatchContacts<float>&, Executor*);
+template void contacts(const Batch<double>&, double, BatchContacts<double>&, Executor*);
 
 }  // namespace graze

@@ -1,6 +1,7 @@
 #include "graze/compact_contacts.hpp"
 
 #include "graze/batch.hpp"
+#include "query/batch_parts.hpp"
 #include "query/contact_writing.hpp"
 
 namespace graze {
@@ -119,12 +120,18 @@ class CompactWriter : public BlockRoom<T> {
 }  // namespace
 
 template <class T>
-void contacts(const Batch<T>& batch, T margin, CompactContacts<T>& found) {
-  CompactWriter<T> writer(found);
-  write_contacts(batch, margin, writer);
+void contacts(const Batch<T>& batch, T margin, CompactContacts<T>& found, Executor* executor) {
+  const auto find = [margin](const Batch<T>& some, CompactContacts<T>& of_some) {
+    CompactWriter<T> writer(of_some);
+    write_contacts(some, margin, writer);
+  };
+  if (executor == nullptr) return find(batch, found);
+  found.manifolds.clear(), found.points.clear();
+  find_in_parts<CompactContacts<T>>(
+      *executor, batch, find, [&](const CompactContacts<T>& some, std::size_t first) { found.append(some, first); });
 }
 
-template void contacts(const Batch<float>&, float, CompactContacts<float>&);
-template void contacts(const Batch<double>&, double, CompactContacts<double>&);
+template void contacts(const Batch<float>&, float, CompactContacts<float>&, Executor*);
+template void contacts(const Batch<double>&, double, CompactContacts<double>&, Executor*);
 
 }  // namespace graze

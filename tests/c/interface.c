@@ -210,8 +210,8 @@ static void test_strides(void) {
   size_t size;
   OK(graze_batch_size_d(&batch, &size));
   EXPECT(size == count);
-  OK(graze_overlap_batch_d(&batch, &things[0].touches, sizeof(Thing)));
-  OK(graze_distance_batch_d(&batch, &things[0].apart, sizeof(Thing)));
+  OK(graze_overlap_batch_d(&batch, &things[0].touches, sizeof(Thing), NULL));
+  OK(graze_distance_batch_d(&batch, &things[0].apart, sizeof(Thing), NULL));
   int touching = 0;
   for (int i = 0; i < count; ++i) {
     const GrazePosed p = {things[i].place, things[i].turn};
@@ -228,7 +228,7 @@ static void test_strides(void) {
   // A body that is not there, a rotation that is none: refused by its place, and nothing is written.
   things[2000].turn.w = 5;
   things[0].apart.distance = 77;
-  EXPECT(graze_distance_batch_d(&batch, &things[0].apart, sizeof(Thing)) == GRAZE_INVALID_VALUE);
+  EXPECT(graze_distance_batch_d(&batch, &things[0].apart, sizeof(Thing), NULL) == GRAZE_INVALID_VALUE);
   EXPECT(strncmp(graze_last_error(), "batch.b.poses[2000].rotation: expected", 38) == 0);
   EXPECT(things[0].apart.distance == 77);
   free(things);

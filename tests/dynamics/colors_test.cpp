@@ -9,9 +9,9 @@
 #include <set>
 #include <vector>
 
+#include "common/executors.hpp"
 #include "graze/plane/simulation.hpp"
 #include "graze/simulation.hpp"
-#include "world/executors.hpp"
 
 namespace graze::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "world/executors.hpp"
+#include "common/executors.hpp"
 
 namespace graze::plane {
 namespace {

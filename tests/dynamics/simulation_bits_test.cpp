@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "common/executors.hpp"
 #include "dynamics/simulated.hpp"
 #include "graze/state_bytes.hpp"
-#include "world/executors.hpp"
 
 namespace graze::testing {
 namespace {

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "common/executors.hpp"
 #include "graze/capture.hpp"
 #include "graze/error.hpp"
-#include "world/executors.hpp"
 
 namespace graze::io {
 namespace {

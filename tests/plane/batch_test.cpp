@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <thread>
 
+#include "common/executors.hpp"
 #include "plane/figures.hpp"
 
 namespace graze::plane {
@@ -16,20 +16,6 @@ template <class T>
 class PlaneBatch : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(PlaneBatch, Scalars);
-
-/// Runs tasks on four threads, in no order of their own.
-class FourThreads final : public Executor {
- public:
-  std::size_t concurrency() const override { return 4; }
-  void run(std::size_t count, const std::function<void(std::size_t)>& task) override {
-    std::vector<std::thread> threads;
-    for (std::size_t k = 0; k < 4; ++k)
-      threads.emplace_back([&, k] {
-        for (std::size_t i = k; i < count; i += 4) task(i);
-      });
-    for (std::thread& thread : threads) thread.join();
-  }
-};
 
 template <class T>
 ::testing::AssertionResult same_bits(const T& a, const T& b) {
@@ -126,7 +112,7 @@ TYPED_TEST(PlaneBatch, ThreadsChangeNothing) {
   const std::vector<IdPair> pairs = make_pairs<T>(shapes.size(), 20000);
   const Bodies<T> bodies(shapes, poses);
   const Batch<T> batch(bodies, bodies, pairs);
-  FourThreads threads;
+  graze::testing::ThreadExecutor threads(4);
   BatchContacts<T> one, four;
   std::vector<Distance<T>> distances_one, distances_four;
   contacts(batch, T(0.1), one);
@@ -305,7 +291,7 @@ TYPED_TEST(PlaneBatch, CastsAreThoseOfEachAlone) {
   const std::vector<IdPair> pairs = make_pairs<T>(shapes.size(), 5000);
   const std::vector<Pose2<T>> moved(poses.rbegin(), poses.rend());
   const Bodies<T> bodies(shapes, poses), others(shapes, moved);
-  FourThreads threads;
+  graze::testing::ThreadExecutor threads(4);
   for (const Separating separating : {Separating::hit, Separating::ignored}) {
     const CastOptions options{separating};
     std::vector<std::optional<CastHit<T>>> hits;
@@ -331,7 +317,7 @@ TYPED_TEST(PlaneBatch, CastsAreThoseOfEachAlone) {
 TYPED_TEST(PlaneBatch, NearestPointsAreThoseOfEachAlone) {
   using T = TypeParam;
   std::mt19937 random(13);
-  FourThreads threads;
+  graze::testing::ThreadExecutor threads(4);
   for (int kind = 0; kind < figure_kinds; ++kind) {
     const Shape<T> shape = random_figure<T>(kind, 1, random).shape;
     const Pose2<T> pose = random_pose<T>(1, random);

@@ -5,8 +5,8 @@
 #include <map>
 #include <thread>
 
+#include "common/executors.hpp"
 #include "plane/world_scenario.hpp"
-#include "world/executors.hpp"
 
 namespace graze::plane {
 namespace {

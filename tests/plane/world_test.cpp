@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
+#include "common/executors.hpp"
 #include "graze/plane/proximity.hpp"
 #include "plane/world_scenario.hpp"
-#include "world/executors.hpp"
 
 namespace graze::plane {
 namespace {

@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "common/executors.hpp"
 #include "graze/cast.hpp"
-#include "world/executors.hpp"
 #include "world/scenario.hpp"
 
 namespace graze {

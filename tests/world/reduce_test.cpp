@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/executors.hpp"
 #include "graze/batch.hpp"
 #include "graze/plane/reduce.hpp"
 #include "graze/plane/world.hpp"
 #include "graze/world.hpp"
-#include "world/executors.hpp"
 
 namespace graze::testing {
 namespace {

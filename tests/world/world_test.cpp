@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include "common/executors.hpp"
 #include "graze/query.hpp"
-#include "world/executors.hpp"
 #include "world/scenario.hpp"
 
 namespace graze {

@@ -41,18 +41,6 @@ py::dtype compact_point_type() {
                      sizeof(P));
 }
 
-/// Puts the contacts of the pairs from `begin` on behind those of the pairs before them.
-void append(Compact& all, const Compact& part, std::size_t begin) {
-  const auto first_pair = static_cast<std::uint32_t>(begin),
-             first_point = static_cast<std::uint32_t>(all.points.size());
-  for (Compact::Group group : part.manifolds) {
-    group.pair += first_pair;
-    group.first_point += first_point;
-    all.manifolds.push_back(group);
-  }
-  behind(all.points, part.points);
-}
-
 constexpr const char* batch_doc = R"(
 
 a, b: a Shape, a sequence of shapes or a ShapeArray (which need not be converted each time).
@@ -123,7 +111,8 @@ void add_batches(py::module_& m) {
         checked_reach(margin, "margin");
         const Question<SpaceBatch> question(a, poses_a, b, poses_b, pairs, threads);
         Compact found = question.found<Compact>(
-            [margin](const auto& asked, auto& answers) { contacts(asked, margin, answers); }, &append);
+            [margin](const auto& asked, auto& answers) { contacts(asked, margin, answers); },
+            [](Compact& all, const Compact& part, std::size_t begin) { all.append(part, begin); });
         return py::make_tuple(records(std::move(found.manifolds), groups_type),
                               records(std::move(found.points), points_type));
       },

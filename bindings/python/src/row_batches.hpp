@@ -105,19 +105,7 @@ Contacts found_contacts(const Asked& question, double margin, const std::optiona
         contacts(asked, margin, answers);
         if (count) reduce(answers, *count);
       },
-      [](Contacts& all, const Contacts& part, std::size_t) {
-        const auto first_manifold = static_cast<std::uint32_t>(all.manifolds.size());
-        const auto first_point = static_cast<std::uint32_t>(all.points.size());
-        for (auto pair : part.pairs) {
-          pair.first_manifold += first_manifold;
-          all.pairs.push_back(pair);
-        }
-        for (auto manifold : part.manifolds) {
-          manifold.first_point += first_point;
-          all.manifolds.push_back(manifold);
-        }
-        behind(all.points, part.points);
-      });
+      [](Contacts& all, const Contacts& part, std::size_t) { all.append(part); });
 }
 
 template <class Words>

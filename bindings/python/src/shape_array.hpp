@@ -27,10 +27,10 @@ class ShapesOf {
   Any operator[](std::size_t i) const {
     return std::visit([i](const auto& shapes) { return Any(shapes[i]); }, all_);
   }
-  /// `count` of the shapes from `first` on, at poses. Throws `InvalidValue` for numbers that do not match.
+  /// The shapes at poses. Throws `InvalidValue` for numbers that do not match.
   template <class Bodies, class Pose>
-  Bodies bodies(std::size_t first, std::size_t count, std::span<const Pose> poses) const {
-    return std::visit([&](const auto& shapes) { return Bodies(std::span(shapes).subspan(first, count), poses); }, all_);
+  Bodies bodies(std::span<const Pose> poses) const {
+    return std::visit([&](const auto& shapes) { return Bodies(std::span(shapes), poses); }, all_);
   }
 
  private:

@@ -32,13 +32,7 @@ class Side {
     read_shapes(shapes, name);
     read_poses(poses, "poses_" + name);
   }
-  Bodies bodies() const { return shapes().template bodies<Bodies, Pose>(0, shapes().size(), poses_); }
-  /// The bodies from `begin` to `end`; a single one stays.
-  Bodies bodies(std::size_t begin, std::size_t end) const {
-    const bool one_shape = shapes().size() == 1, one_pose = poses_.size() == 1;
-    return shapes().template bodies<Bodies, Pose>(one_shape ? 0 : begin, one_shape ? 1 : end - begin,
-                                                  one_pose ? poses_ : poses_.subspan(begin, end - begin));
-  }
+  Bodies bodies() const { return shapes().template bodies<Bodies, Pose>(poses_); }
 
  private:
   const Shapes& shapes() const { return given_ != nullptr ? *given_ : own_shapes_; }
@@ -153,7 +147,6 @@ class Question {
         b_(b, poses_b, "b"),
         pairs_(pairs.is_none() ? IndexRows() : index_rows(pairs, 2, "pairs")),
         batch_(pairs.is_none() ? Batch(a_.bodies(), b_.bodies()) : Batch(a_.bodies(), b_.bodies(), places())),
-        in_order_(pairs.is_none()),
         threads_(threads.of_call()) {}
 
   const Batch& batch() const { return batch_; }
@@ -172,7 +165,7 @@ class Question {
           each = size;
         },
         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-          parts.empty() ? ask(batch_, answers) : ask(part(begin, end), parts[chunk]);
+          parts.empty() ? ask(batch_, answers) : ask(batch_.part(begin, end), parts[chunk]);
         });
     if (parts.empty()) return answers;
     const py::gil_scoped_release free;
@@ -197,15 +190,10 @@ class Question {
     static_assert(sizeof(IdPair) == 2 * sizeof(std::uint32_t));
     return {reinterpret_cast<const IdPair*>(pairs_.data()), static_cast<std::size_t>(pairs_.shape(0))};
   }
-  Batch part(std::size_t begin, std::size_t end) const {
-    if (in_order_) return Batch(a_.bodies(begin, end), b_.bodies(begin, end));
-    return Batch(batch_.a(), batch_.b(), places().subspan(begin, end - begin));
-  }
 
   Side<Words> a_, b_;
   IndexRows pairs_;
   Batch batch_;
-  bool in_order_;
   std::shared_ptr<Threads> threads_;
 };
 

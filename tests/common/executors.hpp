@@ -1,4 +1,4 @@
-// What runs a world's tasks in tests: threads, and a thread that says it is several.
+// What runs tasks in tests: threads, and a thread that says it is several.
 #pragma once
 
 #include <thread>
