@@ -1250,8 +1250,11 @@ export const checks = [
         const settings = { gravity: cut(0, -10, 0), subSteps: 8, sleep: false, longestStep: 0.5 };
         const simulation = new library.Simulation(settings);
         const { gravity, subSteps, sleep, longestStep, continuous, ...rest } = simulation.settings();
-        equal([gravity, subSteps, sleep, longestStep, continuous, Object.keys(rest)],
-              [cut(0, -10, 0), 8, false, 0.5, true, ["mostSubSteps"]], "settings");
+        equal([gravity, subSteps, sleep, longestStep, continuous, rest.warmStart, Object.keys(rest)],
+              [cut(0, -10, 0), 8, false, 0.5, true, true, ["mostSubSteps", "warmStart"]], "settings");
+        const cold = new library.Simulation({ warmStart: false });
+        equal(cold.settings().warmStart, false, "the last setting");
+        cold.dispose();
         const same = new library.Simulation(simulation.settings());
         equal(same.settings(), simulation.settings(), "settings of the settings");
         simulation.setGravity(cut(0, -5, 0));
