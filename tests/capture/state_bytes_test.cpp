@@ -89,6 +89,19 @@ TYPED_TEST(StateBytes, TheRunGoesOnInAnotherSimulation) {
   expect_same_run<T, plane::Space<T>>(fill_plane<T>);
 }
 
+/// The bytes that a body without contacts adds to a state.
+template <class Space, class AnyBody>
+std::size_t bytes_of(const AnyBody& body) {
+  Simulation<double, Space> s;
+  const std::size_t before = state_bytes(s.save()).size();
+  s.add(body);
+  return state_bytes(s.save()).size() - before;
+}
+TEST(StateBytesInDouble, ABodyTakesAsManyAsTheHeaderSays) {
+  EXPECT_EQ(bytes_of<Space<double>>(Body<double>{Sphere<double>(1)}), 631u);
+  EXPECT_EQ(bytes_of<plane::Space<double>>(plane::Body<double>{plane::Circle<double>(1)}), 391u);
+}
+
 /// The bytes of a state as version 2 wrote them, without whether it is warm started.
 template <class T, class Space>
 std::string of_version_2(std::string bytes) {
