@@ -91,9 +91,10 @@ std::vector<ContactEvent> events_of(const World<T, Space>& world) {
 /// Takes the events of a saved step in place of those that finding its contacts gave: a pair that touches within its
 /// margin alone has begun before, and what a body touched that was removed since has still to end.
 template <class T, class Space>
-void go_back_to(World<T, Space>& world, std::vector<ContactEvent> events) {
+void go_back_to(World<T, Space>& world, std::span<const ContactEvent> events) {
   const auto& pairs = world.contacts().pairs;
-  const auto found = [&](ContactEvent& event) {
+  // Sets the event's pair. Returns whether it goes on from there: it has ended, or its pair was found again.
+  const auto find_pair = [&](ContactEvent& event) {
     event.pair = ContactEvent::no_pair;
     if (event.kind == EventKind::end) return true;
     const IdPair ids{event.a.index, event.b.index};
@@ -105,10 +106,12 @@ void go_back_to(World<T, Space>& world, std::vector<ContactEvent> events) {
     event.pair = static_cast<std::uint32_t>(at - pairs.begin());
     return true;
   };
-  const auto lost = std::stable_partition(events.begin(), events.end(), found);
-  const auto count = static_cast<std::size_t>(lost - events.begin());
-  const std::span<const ContactEvent> all = events;
-  world.go_back_to(all.first(count), all.subspan(count));
+  std::vector<ContactEvent> found, lost;
+  for (ContactEvent event : events) {
+    const bool goes_on = find_pair(event);
+    (goes_on ? found : lost).push_back(event);
+  }
+  world.go_back_to(found, lost);
 }
 
 template <class T, class Space>
