@@ -107,8 +107,8 @@ class GRAZE_API World {
   /// The events of the last update: contacts that began, stayed and ended.
   std::span<const ContactEvent> events() const { return tracker_.events(); }
   /// Takes events of an earlier update, with pairs of the last one, in place of the last update's: the next update goes
-  /// on from them. `lost` are those whose pairs the last update did not find, as one of the bodies is gone: the next
-  /// update tells their end. For who goes back to an earlier state.
+  /// on from them. `lost` are those whose pairs the last update did not find, as one of the bodies is gone: their ends
+  /// are events of the next update. For who goes back to an earlier state.
   void go_back_to(std::span<const ContactEvent> events, std::span<const ContactEvent> lost = {}) {
     tracker_.go_back_to(events, lost);
   }

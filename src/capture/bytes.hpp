@@ -54,7 +54,7 @@ class Reading {
  public:
   explicit Reading(std::string_view bytes) : left_(bytes) {}
 
-  /// Whether settings of simulations tell if they are warm started; in older files they do not, and are.
+  /// Whether settings of simulations hold `warm_start`. Those of older files do not: there it is on.
   bool has_warm_start = true;
 
   std::size_t left() const { return left_.size(); }

@@ -15,8 +15,8 @@ namespace capture {
 /// The first bytes of a state. They hold the end of a line in two forms: a transfer that changes these has changed the
 /// rest too.
 constexpr std::string_view state_magic{"graze state\r\n\n", 14};
-/// The version of the format. A reader takes its own version and the one before it, which has not whether a simulation
-/// is warm started, and is the same otherwise.
+/// The version of the format. A reader takes its own version and the one before it, which lacks `warm_start` among the
+/// settings and is the same otherwise.
 constexpr std::uint16_t state_version = 3, oldest_state_version = 2;
 
 template <class Io, class T>
@@ -176,9 +176,9 @@ void check_state(Kept& kept) {
 }
 
 template <class T, class Space>
-std::string head(std::uint16_t version) {
+std::string head(std::uint16_t of_version) {
   Writing head;
-  head(version, std::is_same_v<Space, plane::Space<T>>, std::is_same_v<T, float>);
+  head(of_version, std::is_same_v<Space, plane::Space<T>>, std::is_same_v<T, float>);
   return std::string(state_magic) + head.bytes;
 }
 

@@ -113,25 +113,24 @@ cannot hold: a shape with a support function in Python. threads: as of Simulatio
   template <class Own, class... Before, class... Names>
   static void add_constructor(py::class_<Own>& simulation, const Names&... names) {
     const Settings usual;
-    simulation.def(
-        py::init([](const Before&... before, const Vector& gravity, const Whole& sub_steps, bool sleep, bool continuous,
-                    const std::optional<Whole>& most_sub_steps, double longest_step, bool warm_start,
-                    const ThreadsArgument& threads) {
-          Settings settings;
-          settings.gravity = gravity.value;
-          settings.sub_steps = sub_steps.as<int>("sub_steps");
-          settings.most_sub_steps = most_sub_steps ? most_sub_steps->as<int>("most_sub_steps")
-                                                   : greatest(settings.most_sub_steps, settings.sub_steps);
-          settings.sleep = sleep;
-          settings.continuous = continuous;
-          settings.longest_step = longest_step;
-          settings.warm_start = warm_start;
-          return std::make_unique<Own>(threads.own(), before..., settings);
-        }),
-        names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = Whole(usual.sub_steps),
-        py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous,
-        py::arg("most_sub_steps") = py::none(), py::arg("longest_step") = usual.longest_step,
-        py::arg("warm_start") = usual.warm_start, py::arg("threads") = py::none());
+    simulation.def(py::init([](const Before&... before, const Vector& gravity, const Whole& sub_steps, bool sleep,
+                               bool continuous, const std::optional<Whole>& most_sub_steps, double longest_step,
+                               bool warm_start, const ThreadsArgument& threads) {
+                     Settings settings;
+                     settings.gravity = gravity.value;
+                     settings.sub_steps = sub_steps.as<int>("sub_steps");
+                     settings.most_sub_steps = most_sub_steps ? most_sub_steps->as<int>("most_sub_steps")
+                                                              : greatest(settings.most_sub_steps, settings.sub_steps);
+                     settings.sleep = sleep;
+                     settings.continuous = continuous;
+                     settings.longest_step = longest_step;
+                     settings.warm_start = warm_start;
+                     return std::make_unique<Own>(threads.own(), before..., settings);
+                   }),
+                   names..., py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = Whole(usual.sub_steps),
+                   py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous,
+                   py::arg("most_sub_steps") = py::none(), py::arg("longest_step") = usual.longest_step,
+                   py::arg("warm_start") = usual.warm_start, py::arg("threads") = py::none());
   }
 
   /// Defines the methods of all simulations.

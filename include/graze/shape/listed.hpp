@@ -1,4 +1,4 @@
-// A value of a list of kinds of shapes, and its rounding: the part that shapes of space and of the plane have in common.
+// A value of one of several kinds of shapes, and its rounding: what shapes of space and of the plane have in common.
 #pragma once
 
 #include <cstddef>

@@ -36,8 +36,8 @@ class GRAZE_API EventTracker {
   void update(const BodyArrays<T, Space>& bodies, std::span<const ContactPair<T>> pairs);
 
   /// Takes events of an earlier update in place of those of the last one: the next update goes on from them. `lost` are
-  /// those whose pairs the last update did not find, as one of the bodies is gone: they are told when they end, in the
-  /// next update.
+  /// those whose pairs the last update did not find, as one of the bodies is gone: their ends are events of the next
+  /// update.
   void go_back_to(std::span<const ContactEvent> events, std::span<const ContactEvent> lost = {});
 
   /// The events of the last update.

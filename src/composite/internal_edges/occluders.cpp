@@ -134,7 +134,7 @@ struct BestCover {
     const bool now = neighbour_outside_region(sight.self, seen.point, seen.normal, Among::all).has_value();
     const T now_along = length(seen.point - sight.from), deep = depth_below(seen, other);
     const T nearer = now_along - along;
-    const bool better = !surface || (now != outside_region                    ? outside_region
+    const bool better = !surface || (now != outside_region                   ? outside_region
                                      : std::abs(nearer) > T(8) * sight.slack ? nearer > T(0)
                                                                              : deep < depth);
     if (!better) return;

@@ -40,7 +40,8 @@ class ScannedShape {
  public:
   /// Takes a scannable shape, which must outlive this object.
   explicit ScannedShape(const Shape<T>& shape) {
-    shape.visit([this](const auto& concrete) { this->take(concrete); });  // `take` alone is no use of `this` to clang 14
+    // `this->`: clang 14 does not take `take` alone for a use of `this`.
+    shape.visit([this](const auto& concrete) { this->take(concrete); });
   }
   ScannedShape(const ScannedShape&) = delete;
   ScannedShape& operator=(const ScannedShape&) = delete;
