@@ -56,7 +56,7 @@ void ask_point(const PlacedSpecimen& body, const Placed& truth, const Vec3f& poi
   errors.on_surface.add(reference::signed_distance(truth, reference::place(reference::point(), there)).distance / size);
 }
 
-/// A ray that begins outside. What it passes by less than `missed` is no hit that was missed, nor one too many.
+/// A ray that begins outside. A hit where it passes by less than `missed` is none too many.
 template <class T>
 void ask_ray(const PlacedSpecimen& body, const Placed& truth, const Vec3f& from, const Vec3f& way, Real size,
              LargestError& errors) {
@@ -69,8 +69,10 @@ void ask_ray(const PlacedSpecimen& body, const Placed& truth, const Vec3f& from,
     if (told) errors.add((Real(told->t) / reference::length(wide(way)) - so->t) * so->closing / size);
     return;
   }
-  const Real t = told ? Real(told->t) / reference::length(wide(way)) : so->t;
-  if (told && reference::outside_distance(truth, wide(from) + wide(way) * t) < missed * size) return;
+  if (told) {
+    const reference::Vector there = wide(from) + wide(way) * (Real(told->t) / reference::length(wide(way)));
+    if (reference::outside_distance(truth, there) < missed * size) return;
+  }
   errors.add_wrong();
 }
 
