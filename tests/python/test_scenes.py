@@ -215,6 +215,10 @@ def test_an_animated_scene_follows_its_keyframes(tmp_path):
     still, _ = frames_of(graze, graze.load(file), seconds=0.5)
     moved, _ = frames_of(graze, graze.load(file, animations=True), seconds=0.5)
     assert len(still) == len(moved) == 31
+    # The pendulum hangs, or swings from 60 degrees on one side to the middle in half a second.
+    assert all(frame["poses"].tolist() == [[3, 3, 0, 0, 0, 0, 1]] for frame in still)
+    angles = np.array([2 * np.arctan2(*frame["poses"][0, 5:]) for frame in moved])
+    assert angles[[0, -1]] == pytest.approx([-np.pi / 3, 0], abs=1e-6) and (np.diff(angles) > 0).all()
     graze.simulate(graze.load(file), seconds=0.2, out=tmp_path / "moved.gltf", source=file)
     assert "simulation" in [name for name, _ in graze.load(tmp_path / "moved.gltf", animations=True).animations]
 
