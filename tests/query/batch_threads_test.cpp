@@ -1,28 +1,11 @@
 // Batches on the caller's threads: the answers of the calling thread alone, and the same arrays for any number.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "common/executors.hpp"
-#include "common/specimen.hpp"
-#include "graze/batch.hpp"
+#include "query/crowd.hpp"
 
 namespace graze::testing {
 namespace {
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-template <class T>
-bool same_bits(const Distance<T>& a, const Distance<T>& b) {
-  return same_bits(a.distance, b.distance) && same_bits(a.normal, b.normal) && same_bits(a.a, b.a) &&
-         same_bits(a.b, b.b) && a.status == b.status && same_bits(a.error, b.error);
-}
-template <class T>
-bool same_bits(const ContactPoint<T>& p, const ContactPoint<T>& q) {
-  return same_bits(p.a, q.a) && same_bits(p.b, q.b) && same_bits(p.distance, q.distance) && p.feature == q.feature;
-}
 
 /// Contacts of each pair, wherever its manifolds stand.
 template <class T>
@@ -99,22 +82,6 @@ void expect_same_on_threads(const Batch<T>& batch, T margin) {
   }
 }
 
-/// Bodies of all kinds near each other.
-template <class T>
-struct Crowd {
-  std::vector<Shape<T>> shapes;
-  std::vector<Pose<T>> poses;
-
-  explicit Crowd(std::size_t count, unsigned seed) {
-    Random random(seed);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Specimen specimen = random_specimen(static_cast<Kind>(random() % kind_count), 1, random);
-      shapes.push_back(build<T>(specimen));
-      poses.push_back(pose_of<T>(PlacedSpecimen{specimen, random_vector(random, 0.7f), random_rotation(random)}));
-    }
-  }
-};
-
 template <class T>
 class BatchThreads : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
@@ -126,7 +93,7 @@ constexpr std::size_t many = 20'000;
 TYPED_TEST(BatchThreads, AnswerPairsByIndex) {
   using T = TypeParam;
   const Crowd<T> crowd(200, 1);
-  const Bodies<T> bodies(crowd.shapes, crowd.poses);
+  const Bodies<T> bodies = crowd.bodies();
   Random random(2);
   std::vector<IdPair> pairs;
   for (std::size_t i = 0; i < many; ++i)
@@ -140,8 +107,7 @@ TYPED_TEST(BatchThreads, AnswerPairsInOrder) {
   const std::vector<Box<T>> boxes(many, Box<T>({T(0.5), T(1), T(0.25)}));
   const std::vector<Sphere<T>> sphere(1, Sphere<T>(T(0.5)));
   const std::vector<Pose<T>> reversed(crowd.poses.rbegin(), crowd.poses.rend());
-  const Bodies<T> mixed(crowd.shapes, crowd.poses), of_boxes(boxes, reversed), one(single.shapes, single.poses),
-      turned(sphere, reversed);
+  const Bodies<T> mixed = crowd.bodies(), of_boxes(boxes, reversed), one = single.bodies(), turned(sphere, reversed);
   expect_same_on_threads(Batch<T>(mixed, of_boxes), T(0.02));
   expect_same_on_threads(Batch<T>(of_boxes, Bodies<T>(boxes, crowd.poses)), T(0.02));
   expect_same_on_threads(Batch<T>(one, mixed), T(0));
@@ -151,7 +117,7 @@ TYPED_TEST(BatchThreads, AnswerPairsInOrder) {
 TYPED_TEST(BatchThreads, FindNothingInNoPairs) {
   using T = TypeParam;
   const Crowd<T> crowd(3, 5);
-  const Bodies<T> bodies(crowd.shapes, crowd.poses);
+  const Bodies<T> bodies = crowd.bodies();
   ThreadExecutor two(2);
   const Batch<T> none(bodies, bodies, std::span<const IdPair>{});
   std::vector<std::uint8_t> touch(3);
