@@ -18,18 +18,20 @@ class SharpEdges : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(SharpEdges, Scalars);
 
-/// A wedge: a prism over a triangle of random sides, about 1 across; as a mesh, and as the hull of its corners.
+/// A wedge: a prism over a triangle of random sides, about 1 across and `middle` beside its frame's origin; as a mesh,
+/// and as the hull of its corners.
 template <class T>
 struct Wedge {
   Shape<T> mesh, hull;
 };
 
 template <class T>
-Wedge<T> random_wedge(Random& random, bool solid) {
+Wedge<T> random_wedge(Random& random, bool solid, const Vec3<T>& middle) {
   const T a = uniform(random, 0.1f, 0.5f), b = uniform(random, 0.1f, 0.5f), high = uniform(random, 0.1f, 0.5f);
   const T tip = uniform(random, -0.5f, 0.5f);
-  const std::vector<Vec3<T>> points{{-a, -high, b}, {a, -high, b}, {tip, -high, -b},
-                                    {-a, high, b},  {a, high, b},  {tip, high, -b}};
+  std::vector<Vec3<T>> points{{-a, -high, b}, {a, -high, b}, {tip, -high, -b},
+                              {-a, high, b},  {a, high, b},  {tip, high, -b}};
+  for (Vec3<T>& p : points) p += middle;
   const std::vector<typename Mesh<T>::Index> triangles{{3, 4, 5}, {0, 2, 1}, {0, 1, 4}, {0, 4, 3},
                                                        {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   return {Mesh<T>(points, triangles, Sides::both, solid), ConvexHull<T>(points)};
@@ -48,13 +50,14 @@ struct TwoWedges {
   Pose<T> pose_a, pose_b;
   Distance<T> apart;
 
-  TwoWedges(Random& random, int k)
-      : a(random_wedge<T>(random, k % 2 == 0)),
-        b(random_wedge<T>(random, k % 3 == 0)),
+  TwoWedges(Random& random, int k, const Vec3<T>& middle = {})
+      : a(random_wedge<T>(random, k % 2 == 0, middle)),
+        b(random_wedge<T>(random, k % 3 == 0, middle)),
         pose_a(turned<T>(random)),
         pose_b(turned<T>(random)) {
     const Pose<T> way = turned<T>(random);
-    pose_b.translation = rotate(way.rotation, Vec3<T>{T(3), T(0), T(0)});
+    pose_a.translation = -rotate(pose_a.rotation, middle);
+    pose_b.translation = rotate(way.rotation, Vec3<T>{T(3), T(0), T(0)}) - rotate(pose_b.rotation, middle);
     apart = distance(a.hull, pose_a, b.hull, pose_b);
     const T gap = T(uniform(random, -0.01f, 0.01f)) * (k % 4 == 0 ? T(1e-6) : T(1));
     pose_b.translation -= apart.normal * (apart.distance - gap);
@@ -84,6 +87,22 @@ TYPED_TEST(SharpEdges, AreMetFromOutside) {
       pulled += !parts;
   }
   EXPECT_LT(pulled, count / 100);
+}
+
+/// The points of a mesh far beside its frame's origin are rounded there, and so are places in that frame: a corner must
+/// not seem to rise above itself. One in a hundred still has no point.
+TYPED_TEST(SharpEdges, AreMetWhereMeshesLieBesideTheirOrigins) {
+  using T = TypeParam;
+  constexpr int count = 2000;
+  Random random(847);
+  int missed = 0;
+  for (int k = 0; k < count; ++k) {
+    const TwoWedges<T> two(random, k, {T(50), T(25), T(-50)});
+    Manifolds<T> manifolds;
+    contacts(two.a.mesh, two.pose_a, two.b.mesh, two.pose_b, T(0.02), manifolds);
+    missed += manifolds.empty();
+  }
+  EXPECT_LT(missed, count / 50);
 }
 
 }  // namespace
