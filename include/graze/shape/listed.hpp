@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "graze/detail/standard.hpp"
+
 namespace graze {
 
 /// A shape of one of the kinds in `List`, a `std::variant`, with its rounding radius.
