@@ -227,7 +227,7 @@ void IslandSolver<T, Space>::move(const SubStep<T>& time) {
   each_pushed([&](const BodyBlock<T, Space>& block) { body_kernels_.move(block, time); });
   move_unpushed(time);
   // Links that fold turn by radians a step, and where a joint takes a push to turn a slender one by less than it does,
-  // it corrects too much, the more so each time. Contacts go by the inertia of the step's beginning.
+  // it corrects too much, the more so each time. Contacts go by the inertia that they began with.
   if (joints_.empty()) return;
   for (std::size_t i = 0; i < pushed_; ++i) turn_inertia(i);
 }
