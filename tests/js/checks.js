@@ -1280,7 +1280,8 @@ export const checks = [
         ok(along.some(([space, axes, min, max]) => space === "linear" && axes === "x" && min === -Infinity && max === 3), "along x");
         const refused = (joint, message) => throws(() => simulation.addJoint({ ...between, ...joint }), message, InvalidValue);
         refused({ kind: "hinge", max: 3 }, "joint.max: expected none of the kind hinge, got 3");
-        refused({ max: 3 }, "joint.kind: expected slider or distance, whose bounds are min and max, got undefined");
+        equal(limits({ ...between, kind: "hinge", min: null, max: undefined }), limits({ ...between, kind: "hinge" }), "no bounds");
+        refused({ min: null, max: 3 }, "joint.kind: expected slider or distance, whose bounds are min and max, got undefined");
         refused({ kind: "rope" }, 'joint.kind: expected one of fixed, ball, hinge, slider, distance, got "rope"');
         refused({ kind: "distance", min: 2, max: 1 }, /max/);
         refused({ kind: "distance", min: "2" }, /expected a number, got "2"/);

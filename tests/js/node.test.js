@@ -387,9 +387,9 @@ test("every export is declared, and every declaration exported", async () => {
   assert.deepEqual(Object.keys(queries).sort(), declared.filter((name) => !only.includes(name)));
 });
 
-// Had otherwise: poses and absent members in place of functions that make them, points of a world whose impulses are written
-// where they stand, traces as objects; convex shapes of one's own by a function of the package; and shares and buffers, which
-// handles and frames hold.
+// Functions in whose place JavaScript has something else: poses and absent members instead of those that make them, points of
+// a world whose impulses are written where they stand, traces as objects, convex shapes of one's own by a function of the
+// package, shares and buffers that handles and frames hold.
 const otherwise = [
   "pose_identity", "pose_at_place", "filter_default", "query_filter_default", "body_default", "plane_body_default",
   "world_settings_default", "bodies", "plane_bodies", "world_solver_points", "plane_world_solver_points", "version",

@@ -65,18 +65,19 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     named(axes, axis, `${path}.axis`);
     return { space, axis, mode, positionTarget, velocityTarget, stiffness, damping, maxForce };
   };
+  const isGiven = (bound) => bound !== undefined && bound !== null;
   /** The bounds of a joint of a kind, or null where it has none. */
   const boundsOf = ({ kind, min, max }) => {
     named([...jointKinds, "distance"], kind, "joint.kind");
     const usual = usualBounds[kind];
-    const [name] = Object.entries({ min, max }).find(([, bound]) => bound !== undefined) ?? [];
+    const [name] = Object.entries({ min, max }).find(([, bound]) => isGiven(bound)) ?? [];
     if (name !== undefined && usual === undefined)
       throw new InvalidValue(`joint.${name}: expected none of the kind ${kind}, got ${shown(min ?? max)}`);
     return name === undefined && kind !== "distance" ? null : [min ?? usual[0], max ?? usual[1]];
   };
   const jointAt = (given) => {
     const value = membersOf(given, "joint", jointMembers);
-    if (value.kind === undefined && (value.min ?? value.max) !== undefined)
+    if (value.kind === undefined && (isGiven(value.min) || isGiven(value.max)))
       throw new InvalidValue("joint.kind: expected slider or distance, whose bounds are min and max, got undefined");
     const p = core.room(types.joint.size);
     const frameA = pose(value.frameA, "joint.frameA");

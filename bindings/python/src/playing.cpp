@@ -21,7 +21,7 @@ namespace {
 
 using File = std::optional<std::filesystem::path>;
 
-/// What a scene is played with, from its arguments.
+/// Settings of a scene that is played, from its arguments.
 struct Playing {
   double seconds, rate;
   Whole sub_steps;

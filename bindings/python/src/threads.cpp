@@ -26,10 +26,10 @@ long process_number() {
 }
 
 std::size_t count_of(const Whole& given) {
-  const auto count = given.as<std::size_t>("threads");
-  if (count < 1 || count > most_threads)
-    validate::fail("threads", "a number from 1 to " + std::to_string(most_threads), static_cast<double>(count));
-  return count;
+  if (given.value < py::int_(1) || given.value > py::int_(most_threads))
+    validate::fail("threads", "a number from 1 to " + std::to_string(most_threads),
+                   std::string(py::str(py::handle(given.value))));
+  return given.value.cast<std::size_t>();
 }
 
 /// `graze.Threads`, what `make` has for a number, or null for None.

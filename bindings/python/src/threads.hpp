@@ -41,7 +41,7 @@ struct ThreadsArgument {
   /// The threads, those of a number made for the caller; null for None. Throws `InvalidValue` for a number that is none
   /// of threads.
   std::shared_ptr<Threads> own() const;
-  /// The same for a call, for which as many threads are kept from one call to the next.
+  /// Threads for one call; those of a number are kept from one call to the next.
   std::shared_ptr<Threads> of_call() const;
 };
 
