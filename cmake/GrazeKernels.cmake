@@ -11,9 +11,14 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64" AND CMAKE_SIZEOF_VOID_P E
 endif()
 
 # With GRAZE_LEVELS=native only the best of them that this machine has, for what runs where it is built: a third of the
-# kernels to compile. The library asks for GRAZE_ONLY_LEVEL in simd/dispatch.hpp.
+# kernels to compile; with GRAZE_LEVELS=baseline only the first, which compiles soonest. The library asks for
+# GRAZE_ONLY_LEVEL in simd/dispatch.hpp.
 set(graze_only_level "")
-if(GRAZE_LEVELS STREQUAL "native" AND "avx512" IN_LIST graze_levels)
+if(GRAZE_LEVELS STREQUAL "baseline")
+  set(graze_only_level baseline)
+  set(graze_levels baseline)
+  add_compile_definitions(GRAZE_ONLY_LEVEL=baseline)
+elseif(GRAZE_LEVELS STREQUAL "native" AND "avx512" IN_LIST graze_levels)
   include(CheckCXXSourceRuns)
   foreach(level IN ITEMS avx512 avx2)
     set(feature_avx512 "avx512f\") && __builtin_cpu_supports(\"avx512bw\") && __builtin_cpu_supports(\"avx512cd\") && __builtin_cpu_supports(\"avx512dq\") && __builtin_cpu_supports(\"avx512vl")
@@ -30,7 +35,7 @@ if(GRAZE_LEVELS STREQUAL "native" AND "avx512" IN_LIST graze_levels)
   set(graze_levels ${graze_only_level})
   add_compile_definitions(GRAZE_ONLY_LEVEL=${graze_only_level})
 elseif(NOT GRAZE_LEVELS MATCHES "^(all|native)$")
-  message(FATAL_ERROR "GRAZE_LEVELS: expected all or native, got ${GRAZE_LEVELS}")
+  message(FATAL_ERROR "GRAZE_LEVELS: expected all, native or baseline, got ${GRAZE_LEVELS}")
 endif()
 set(graze_flags_baseline "")
 if(EMSCRIPTEN)
