@@ -149,7 +149,7 @@ export const stack: Lesson = {
   ],
   wrong: [
     { label: "A thousand to one", note: "The light boxes are pressed into each other and thrown out, and the heavy one comes down by metres, whatever the sub-steps: impulses from the floor do not get up there in time.", state: situation("auto", 1000) },
-    { label: "No warm start", note: "Every sub-step begins with no impulses and goes over the contacts once: the floor's push gets up by little more than a box, and the stack sinks as if most of its weight hung in the air.", state: situation("auto", 1, frictions[0], usualTop, false) },
+    { label: "No warm start", note: "One sub-step that begins with no impulses and goes over the contacts once: the floor's push does not get up to where the weight is, and the stack sinks by a metre in a second. Every further sub-step brings it further up.", state: situation("1", 1, frictions[0], usualTop, false) },
     { label: "No friction", note: "A contact that cannot hold sideways turns what leans into drift, and ten times the load on one sub-step shows it.", state: situation("1", 10, 0) },
   ],
   sources: ["E. Catto: Solver2D, 2024 (soft contacts in sub-steps)", "M. Macklin and others: Small steps in physics simulation, Symposium on Computer Animation 2019", "E. Catto: Iterative dynamics with temporal coherence, 2005 (warm starts)"],
