@@ -228,9 +228,12 @@ void print_accuracy_of_kinds(std::size_t questions, std::size_t pairs, const std
   print(
       "Every two kinds",
       std::to_string(pairs) +
-          " pairs of such shapes. \"Apart\" and \"overlapping\" are signed distances; \"cast\" is B moving without\n"
-          "turning and \"impact\" both turning: how far apart, or deep, they are at the time told. No contact deeper\n"
-          "than 2e-5 of the size was found before a hit or where there was none, or its share stands in brackets.",
+          " pairs of such shapes. \"Apart\" and \"overlapping\" are signed distances; \"cast\" is one moving without\n"
+          "turning and \"impact\" both turning, but for half-spaces: how far apart, or deep, they are at the time "
+          "told.\n"
+          "No contact deeper than 2e-5 of the size was found before a hit or where there was none, or its share "
+          "stands\n"
+          "in brackets.",
       two);
 }
 
