@@ -27,8 +27,8 @@ template <class T>
 GRAZE_API void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor = nullptr);
 
 /// Sets `distances[i]` to the `distance` of the i-th pair. Kernels: spheres, capsules and boxes with each other; these
-/// and triangles with half-spaces; spheres and capsules with triangles, and triangles with each other. With an executor,
-/// on its threads.
+/// and triangles with half-spaces; spheres and capsules with triangles, and triangles with each other. With an
+/// executor, on its threads.
 template <class T>
 GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor = nullptr);
 

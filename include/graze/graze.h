@@ -981,7 +981,8 @@ GRAZE_C_API GrazeStatus graze_contacts_batch_reduced_d(const GrazeBatchd *batch,
                                                        const GrazeExecutor *executor);
 GRAZE_C_API GrazeStatus graze_compact_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                        GrazeCompactContactsd *contacts, const GrazeExecutor *executor);
-// The pieces of all pairs, on the calling thread, those of a pair contiguous; `ends[i]`, one for each pair, is the end of the i-th pair's.
+// The pieces of all pairs, on the calling thread, those of a pair contiguous; `ends[i]`, one for each pair, is the end
+// of the i-th pair's.
 GRAZE_C_API GrazeStatus graze_near_pieces_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
                                                   const GrazePieceDistanced **pieces, const size_t **ends,
                                                   size_t *count);

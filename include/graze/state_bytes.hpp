@@ -4,7 +4,7 @@
 // equal states have equal bytes: the report's times by the clock are left out. Whatever bytes are read, memory stays in
 // proportion to them, and what comes out is a state whose bodies have finite motions, or an `InvalidValue` that says
 // what is wrong with them; `Simulation::restore` then refuses the state of other bodies as it refuses any. The format
-// has a version, 3; bytes of version 2, whose simulations are all warm started, are read as well, and those of any other
+// has a version, 3; bytes of version 2, whose simulations are all warm started, are read as well, those of any other
 // are refused.
 #pragma once
 
