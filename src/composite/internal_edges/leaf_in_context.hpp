@@ -100,5 +100,10 @@ template <class T>
 T place_noise(const Vec3<T>& place) {
   return coordinate_noise(max_abs(place));
 }
+/// The rounding error of a place of the world that is seen in another frame, where its coordinates may be larger.
+template <class T>
+T place_noise(const Vec3<T>& place, const Vec3<T>& local) {
+  return greatest(place_noise(place), place_noise(local));
+}
 
 }  // namespace graze

@@ -106,7 +106,7 @@ std::optional<Placed<T>> outside_region(const Shape<T>& whole, const Pose<T>& po
                                         Among among, const Vec3<T>& point, const Vec3<T>& outward) {
   std::optional<Placed<T>> found;
   const Vec3<T> local = inverse_transform(pose, point);
-  const T noise = greatest(place_noise(point), place_noise(local));
+  const T noise = place_noise(point, local);
   const auto of_surface = [&](const auto& surface) {
     const bool own = &whole == &self.whole && self.piece.template as<Triangle<T>>();
     const auto near = own ? std::optional(self.number) : std::nullopt;
@@ -138,7 +138,7 @@ std::optional<Placed<T>> outside_region(const Shape<T>& whole, const Pose<T>& po
 template <class T>
 bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>& point, const Vec3<T>& outward) {
   const Vec3<T> p = inverse_transform(pose, point), n = rotate(conjugate(pose.rotation), outward);
-  const T noise = greatest(place_noise(point), place_noise(p));
+  const T noise = place_noise(point, p);
   return piece.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
     if constexpr (std::is_same_v<C, Triangle<T>>) {
@@ -180,7 +180,7 @@ FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>& self, const Vec3<T
   const auto* mesh = self.whole.template as<Mesh<T>>();
   if (!mesh) return faces;
   const Vec3<T> local = inverse_transform(self.whole_pose, point);
-  const T noise = greatest(place_noise(point), place_noise(local));
+  const T noise = place_noise(point, local);
   const Aabb<T> region = inflated(Aabb<T>{local, local}, reach_on(mesh->data(), noise));
   const auto look = [&](std::uint32_t number) {
     const std::array<Vec3<T>, 3> corners = mesh->data().triangle(number);
