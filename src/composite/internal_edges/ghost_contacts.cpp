@@ -397,9 +397,9 @@ bool is_beside(const LeafInContext<T>& self, const LeafInContext<T>& other, cons
 /// Whether a corrected contact is another piece's, after it was laid: where the piece is not met along its face,
 /// nothing need be known of what covers it.
 template <class T>
-bool is_of_another_piece(const LeafInContext<T>& self, const LeafInContext<T>& other, const SeenContact<T>& contact,
-                         const Correction<T>& right, const Manifold<T>& laid) {
-  return right.elsewhere || (!right.least_way && is_beside(self, other, contact, laid)) ||
+bool is_of_another_piece(const LeafInContext<T>& self, const LeafInContext<T>& other, const Correction<T>& right,
+                         const Manifold<T>& laid) {
+  return right.elsewhere ||
          (right.unless_covered && !laid.points.empty() && is_covered(self, *right.unless_covered, right.normal, other));
 }
 
@@ -462,12 +462,15 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
       now = laid_along(a, b, of_a, right->normal, margin, found);
       if (now.points.empty() && !right->least_way) now = poking_corner(self, other, of_a, right->normal, found);
     }
-    if (right && is_of_another_piece(self, other, seen, *right, now)) {
+    if (right && is_of_another_piece(self, other, *right, now)) {
       now = between_same_pieces(now);
       settled.instead = manifold;
       settled.instead_is_ghost = true;
     } else if (right) {
-      if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
+      if (right->least_way)
+        add_deepest(self, of_a, *right->least_way, found, now);
+      else if (is_beside(self, other, seen, now))
+        now = between_same_pieces(now);
       // Whether the two are as deep as that at all, nothing laid along the normal has shown.
       if (now.points.empty()) settled.instead = touching_point(self, other, of_a, seen, right->normal, found);
     } else if (sliver) {
