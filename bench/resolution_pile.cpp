@@ -24,7 +24,8 @@ std::vector<Thing> bin_of_boxes(int count) {
     const int x = i % 16, z = i / 16 % 16, y = i / 256;
     Thing thing = box({(x - 7.5) * 1.23, 1 + y * 1.3, (z - 7.5) * 1.23});
     thing.pose.translation += random.in_cube(0.05);
-    thing.pose.rotation = about(random.direction(), random.number(-0.3, 0.3));
+    const double angle = random.number(-0.3, 0.3);
+    thing.pose.rotation = about(random.direction(), angle);
     things.push_back(thing);
   }
   return things;
