@@ -175,16 +175,16 @@ export class SceneRoom implements Room {
   // --- The state that the address and undo hold ---
 
   private get moment(): Moment {
-    const { scene, begun, subSteps, pulled } = this.play, materials = begun?.materials ?? scene.bodies.map(({ material }) => material);
+    const { scene, begun, subSteps, warmStart, pulled } = this.play, materials = begun?.materials ?? scene.bodies.map(({ material }) => material);
     const { steps, inputs } = this.play.goal ?? { steps: this.play.steps, inputs: this.play.inputs.upTo(this.play.steps) };
-    return { places: movedBodies(scene, this.before.map((one, i) => this.followers.get(i) ?? one)), animated: this.animated, selected: this.selected, subSteps, gravity: begun ? begun.gravity : pulled,
+    return { places: movedBodies(scene, this.before.map((one, i) => this.followers.get(i) ?? one)), animated: this.animated, selected: this.selected, subSteps, warmStart, gravity: begun ? begun.gravity : pulled,
       materials: changedMaterials(materials, this.before.map(({ material }) => material)), steps, inputs,
       aim: this.shooting.aim, aimed: this.aimed || this.shooting.aim === null, ...this.steps.shown, speed: this.play.speed, layers: this.layers.switched };
   }
   /** The settings that stay from one scene to the next. */
   private get kept(): Partial<Moment> {
-    const { subSteps, pulled: gravity, speed } = this.play;
-    return { subSteps, gravity, speed, layers: this.layers.switched };
+    const { subSteps, warmStart, pulled: gravity, speed } = this.play;
+    return { subSteps, warmStart, gravity, speed, layers: this.layers.switched };
   }
   /** Records the moment after everything that somebody did, and where they paused. */
   private remember(): void {
@@ -226,6 +226,7 @@ export class SceneRoom implements Room {
   private take(moment: Moment): void {
     const { scene } = this.play;
     this.play.subSteps = moment.subSteps;
+    this.play.warmStart = moment.warmStart;
     this.play.pulled = moment.gravity;
     this.setAnimated(moment.animated);
     for (const [i, body] of scene.bodies.entries()) Object.assign(body, this.before[i], shaped(this.followers.get(i)), placed(moment.places[i]), moment.materials[i] && { material: moment.materials[i] });
@@ -257,7 +258,7 @@ export class SceneRoom implements Room {
   }
   /** Whether the run that is played came by the moment. */
   private sameRun(moment: Moment): boolean {
-    const of = ({ places, animated, subSteps, gravity, materials }: Moment): string => JSON.stringify([places, animated, subSteps, gravity, materials]);
+    const of = ({ places, animated, subSteps, warmStart, gravity, materials }: Moment): string => JSON.stringify([places, animated, subSteps, warmStart, gravity, materials]);
     return of(moment) === of(this.moment) && JSON.stringify(this.play.inputs.upTo(moment.steps)) === JSON.stringify(moment.inputs);
   }
   /** Stops time, and records how far it had gone. */
@@ -287,9 +288,10 @@ export class SceneRoom implements Room {
     this.show();
     this.remember();
   }
-  /** Sets how time runs. Sub-steps need a new simulation, the rest counts from the next step on. */
-  private set({ subSteps, gravity, speed = this.play.speed }: Partial<Moment>): void {
+  /** Sets how time runs. Sub-steps and warm starts need a new simulation, the rest counts from the next step on. */
+  private set({ subSteps, warmStart, gravity, speed = this.play.speed }: Partial<Moment>): void {
     if (subSteps !== undefined) return this.begin({ subSteps });
+    if (warmStart !== undefined) return this.begin({ warmStart });
     this.tried(() => {
       this.play.speed = speed;
       if (gravity !== undefined) this.play.setGravity(gravity);
@@ -454,8 +456,8 @@ export class SceneRoom implements Room {
     }
   }
   private showSettings(): void {
-    const { subSteps, gravity, own, speed, run } = this.play;
-    this.settings.show({ subSteps, gravity, speed }, own, run.flat);
+    const { subSteps, warmStart, gravity, own, speed, run } = this.play;
+    this.settings.show({ subSteps, warmStart, gravity, speed }, own, run.flat);
   }
   private setMaterial(body: number, material: NonNullable<SceneBody["material"]>): void {
     this.tried(() => {

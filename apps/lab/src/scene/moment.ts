@@ -31,6 +31,7 @@ export interface Moment extends Shown {
   /** The animation and its time, with which the run began; null for the first one's beginning. */
   animated: Animated | null;
   subSteps: number;
+  warmStart: boolean;
   /** The gravity that somebody set, with which the run began; null for the scene's own. */
   gravity: Vec | null;
   /** The materials that somebody set before it began, by number. */
@@ -44,7 +45,7 @@ export interface Moment extends Shown {
 }
 
 export const firstShown: Shown = { selected: [], explained: "distance", traceStep: -1, speed: 1, layers: [] };
-export const beginning: Moment = { ...firstShown, places: {}, animated: null, subSteps: 8, gravity: null, materials: {}, steps: 0, inputs: [], aim: null, aimed: true };
+export const beginning: Moment = { ...firstShown, places: {}, animated: null, subSteps: 8, warmStart: true, gravity: null, materials: {}, steps: 0, inputs: [], aim: null, aimed: true };
 /** The moment at which a scene is opened: one that was made of a question answers it. */
 export function opening({ question, bodies }: Scene): Moment {
   if (!question) return beginning;
@@ -63,10 +64,10 @@ export function isShown(value: unknown): boolean {
 const mostSteps = 36000;
 /** Whether a value of an address is one of a scene's moment, likewise. */
 export function isMoment(value: unknown): boolean {
-  const { places, animated, subSteps, gravity, materials, steps, inputs, aim, aimed } = { ...beginning, ...(value as Partial<Moment> | null) };
+  const { places, animated, subSteps, warmStart, gravity, materials, steps, inputs, aim, aimed } = { ...beginning, ...(value as Partial<Moment> | null) };
   return isShown(value) && typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
     (animated === null || (Number.isInteger(animated.number) && animated.number >= 0 && Number.isFinite(animated.time) && animated.time >= 0)) &&
-    [1, 2, 4, 8, 16].includes(subSteps) && (gravity === null || isVector(gravity)) && isAim(aim) && typeof aimed === "boolean" &&
+    [1, 2, 4, 8, 16].includes(subSteps) && typeof warmStart === "boolean" && (gravity === null || isVector(gravity)) && isAim(aim) && typeof aimed === "boolean" &&
     typeof materials === "object" && materials !== null && Object.values(materials).every((one) => typeof one === "object") &&
     Number.isInteger(steps) && steps >= 0 && steps <= mostSteps && areInputs(inputs);
 }

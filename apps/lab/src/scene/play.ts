@@ -25,6 +25,7 @@ export interface Listener {
 /** The settings with which a run began. */
 export interface Begun {
   subSteps: number;
+  warmStart: boolean;
   gravity: Vec | null;
   materials: (graze.Material | graze.plane.Material | undefined)[];
 }
@@ -33,6 +34,8 @@ export class Play {
   scene = nothing;
   run = new Run(nothing);
   subSteps = 8;
+  /** Whether a sub-step begins with the impulses of the last one. */
+  warmStart = true;
   /** The gravity that somebody set; null for the scene's own. */
   pulled: Vec | null = null;
   /** The animation that kinematic bodies follow, and its time when the run begins. */
@@ -175,7 +178,8 @@ export class Play {
     const bodies = this.scene.bodies.map((body, i) => ({ ...body, material: begun ? begun.materials[i] : body.material }));
     const run = new Run({ ...this.scene, bodies });
     try {
-      run.play(begun?.subSteps ?? this.subSteps, (begun ? begun.gravity : this.pulled) ?? this.own, (bytes) => frames.push(bytes));
+      const { subSteps, warmStart, gravity } = begun ?? { ...this, gravity: this.pulled };
+      run.play({ subSteps, warmStart, gravity: gravity ?? this.own }, (bytes) => frames.push(bytes));
       for (let step = 0, until = performance.now() + slice; step < steps; step++) {
         for (const input of inputs.at(step)) act(run, input);
         const pull = inputs.pullAt(step);
@@ -212,9 +216,9 @@ export class Play {
   /** Begins the simulation where it has not begun. */
   private start(): void {
     if (this.run.played) return;
-    const { subSteps, pulled: gravity, scene } = this;
-    this.begun = { subSteps, gravity, materials: scene.bodies.map(({ material }) => material) };
-    this.run.play(subSteps, this.gravity);
+    const { subSteps, warmStart, pulled: gravity, scene } = this;
+    this.begun = { subSteps, warmStart, gravity, materials: scene.bodies.map(({ material }) => material) };
+    this.run.play({ subSteps, warmStart, gravity: this.gravity });
     this.reach();
   }
   /** Goes on towards the goal, until a picture is due. */

@@ -58,6 +58,13 @@ export interface Stages {
   continuousMs: number;
 }
 
+/** The settings that a simulation is made with. */
+export interface Laws {
+  subSteps: number;
+  warmStart: boolean;
+  gravity: Vec;
+}
+
 /** The part of the objects of either dimension that is used here, with poses and vectors in their own form. */
 interface AnyQueries {
   pose(id: graze.BodyId): { translation: Vec; rotation: Vec | number };
@@ -319,9 +326,9 @@ export class Run {
     for (const [body, place] of places) if (this.scene.bodies[body].dynamics?.kinematic) this.simulation!.moveTo(this.ids[body], this.own.pose(place), dt);
   }
   /** Begins the simulation: from here on the laws of motion hold. `capture` gets the bytes of its frames. */
-  play(subSteps: number, gravity: Vec, capture?: graze.Capture): void {
+  play({ gravity, ...how }: Laws, capture?: graze.Capture): void {
     if (this.simulation) return;
-    const made = this.own.simulation({ gravity: this.own.vector(gravity), subSteps, ...(capture ? { capture } : {}) });
+    const made = this.own.simulation({ gravity: this.own.vector(gravity), ...how, ...(capture ? { capture } : {}) });
     try {
       const ids = this.scene.bodies.map((body) =>
         made.add(this.body(body), body.moves ? { ...(body.mass ? { mass: body.mass } : {}), ...body.dynamics } : {}, body.material ?? {}));

@@ -146,6 +146,37 @@ test("time: undo while a scene plays comes back to where it was before, and redo
   await page.context().close();
 });
 
+test("time: without warm starts a stack sinks, and the address, undo and a capture keep that", async () => {
+  const page = await scene("tower"), field = 'label:has-text("Warm start") input';
+  await press(page, "[data-step]", 60);
+  const warm = await shown(page);
+  assert.ok(await page.isChecked(field));
+  await page.uncheck(field);
+  assert.equal((await shown(page)).frames, 0, "it begins anew");
+  await press(page, "[data-step]", 60);
+  const cold = await shown(page);
+  assert.ok(cold.deepest > 4 * warm.deepest, `${cold.deepest} m deep without warm starts, ${warm.deepest} m with them`);
+  await page.waitForFunction(() => /steps%22%3A60%/.test(location.hash));
+  const other = await visit(await address(page), small);
+  await other.waitForFunction(() => window.lab.shown.frames === 60);
+  assert.deepEqual((await shown(other)).poses, cold.poses);
+  assert.ok(!(await other.isChecked(field)));
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("[data-save]")]);
+  let last = [];
+  const report = graze.replay(readFileSync(await download.path()), (world) => (last = Array.from(world.poses())));
+  assert.equal(report.difference, null);
+  assert.deepEqual(last, cold.poses);
+  for (let i = 0; i < 61; i++) await page.keyboard.press("Control+z");
+  assert.ok(await page.isChecked(field));
+  assert.deepEqual((await shown(page)).poses, warm.poses);
+  const broken = await at("tower", { warmStart: "no" });
+  assert.ok(await broken.isChecked(field));
+  for (const one of [page, other, broken]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
 test("time: gravity is shown as it was at each step; one that is refused changes nothing", async () => {
   const page = await scene("heavy"), along = '[aria-label^="Gravity along X"]';
   await press(page, "[data-step]", 4);
