@@ -18,13 +18,13 @@ export class Catalogue {
     this.element = h("select", { "aria-label": "Scene", onchange: () => {
       onChoose();
       this.open(this.element.value);
-    } }, ...Object.entries(scenes).map(([key, make]) => h("option", { value: key }, make().name))) as HTMLSelectElement;
+    } }, ...Object.entries(scenes).map(([key, { name }]) => h("option", { value: key }, name))) as HTMLSelectElement;
     void this.fill();
   }
   /** Opens the scene of a key, or the first one if there is no such key. */
   open(key: string): void {
     this.wanted = key;
-    if (scenes[key]) this.onScene(scenes[key](), key);
+    if (scenes[key]) this.onScene(scenes[key].make(), key);
     else void this.fetch(key);
   }
   /** Shows in the list the scene of a key, or another one by its name. */

@@ -19,6 +19,8 @@ export interface SceneBody extends Body {
   aboutCenter?: boolean;
   dynamics?: graze.Dynamics | graze.plane.Dynamics;
   trigger?: boolean;
+  /** Whether others are seen through it. */
+  clear?: boolean;
   filter?: BodyFilter;
   material?: graze.Material | graze.plane.Material;
 }

@@ -38,7 +38,7 @@ export const viewOf = (run: Run, scene: Scene): View => ({ ...(scene.view ?? who
 /** The bodies of a scene for the crowd, by shape, and the meanings of their colours. */
 export function crowdOf({ bodies }: Scene, flat: boolean, reach: number): [Looks[], Meaning[]] {
   return [
-    bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, reach), flat: shape.type === "plane" || (trigger ?? false) })),
+    bodies.map(({ shape, trigger = false, clear = shape.type === "plane" || trigger }) => ({ key: `${clear}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, reach), flat: clear })),
     bodies.map((b) => (b.trigger ? "trigger" : b.moves ? "a" : "out"))];
 }
 /** The number of bodies above which those that sleep have their colour alone. */
