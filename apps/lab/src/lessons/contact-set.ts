@@ -1,6 +1,6 @@
 import { ask, fewest, type Answer, type Axis, type ContactPoint, type Cut } from "../graze.ts";
 import { drawDistance, drawTrace } from "../parts/answers.ts";
-import { digits } from "../parts/dom.ts";
+import { digits, sentence } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
 import { row, term } from "../parts/math.ts";
 import { add, cross, inverse, length, quatAbout, rotate, scale, sub, toWorld } from "../parts/vec.ts";
@@ -112,7 +112,7 @@ export const contactSet: Lesson = {
     const { q } = state, answer = ask(q), manifold = answer.manifolds?.[0];
     const steps: Step[] = [{
       title: "An axis for the contacts",
-      text: manifold ? `${answer.trace.reason ?? answer.trace.winner}. The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
+      text: manifold ? `${sentence(answer.trace.reason ?? answer.trace.winner!)} The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
         : "They are further apart than the margin: there is no contact. Move B down.",
       numbers: { caption: "Shadows on the axes (units of length)", columns: ["axis", "overlap", "gap"], rows: answer.trace.axes.filter((x) => x.name !== "normal").map((x) => ({ cells: [x.name, x.overlap < 0 ? "" : x.overlap, x.overlap < 0 ? -x.overlap : ""], key: x.name, mark: x.name === answer.trace.winner ? "winner" as const : undefined })) },
       says: manifold ? `Contacts stand on ${answer.trace.winner}.` : "No contact.",

@@ -1,6 +1,6 @@
 import { ask, mayOverlap, type Axis } from "../graze.ts";
 import { drawDistance } from "../parts/answers.ts";
-import { digits } from "../parts/dom.ts";
+import { digits, sentence } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { row } from "../parts/math.ts";
 import { add, cross, dot, mix, quatAbout, scale, unit } from "../parts/vec.ts";
@@ -133,7 +133,7 @@ export const fifteenAxes: Lesson = {
         (fast && !answer.overlap ? ", and is wrong on the safe side here: only a product of edges separates them." : ".");
       return answer.overlap ? {
         title: "The least overlap wins",
-        text: `${reason ?? ""}. Along it B is parted from A on the shortest way: depth and normal are known. ${mode}${parallel}`,
+        text: `${sentence(reason ?? "")} Along it B is parted from A on the shortest way: depth and normal are known. ${mode}${parallel}`,
         formula: ["d = min o_i", `d = ${digits(best.overlap, 6)}`, ...(normal ? [`n = [${normal.map((x) => digits(x, 3)).join(", ")}]`] : [])],
         numbers: axisTable(axes, "", best.name),
         says: `Overlap: ${best.name} wins with ${digits(best.overlap, 4)}.`,

@@ -29,6 +29,9 @@ export function svg(tag: string, attributes: Attributes = {}, ...children: Child
 export const button = (label: string, act: () => void, more: Attributes = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
 
+/** Words of the library, which begin small and end without a dot, as a sentence. */
+export const sentence = (words: string): string => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+
 /** Six significant digits, as tables show numbers; the whole number is in the title of its cell. */
 export function digits(value: number | string | undefined, significant = 6): string {
   if (value === undefined) return "";

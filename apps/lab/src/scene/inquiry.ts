@@ -2,7 +2,7 @@
 // the question for it.
 
 import { ask, line } from "../graze.ts";
-import { button, digits, h, vector } from "../parts/dom.ts";
+import { button, digits, h, sentence, vector } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
 import { address, copy } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
@@ -77,7 +77,7 @@ export class Inquiry {
     const { bodies } = of, answer = ask(question), why = unmet(of, i, j, of.asleep !== null);
     const touch = !answer.overlap ? "They are apart" : why ? "They overlap" : "They touch";
     this.tell(`${bodies[i].name} and ${bodies[j].name}`,
-      answer.error ?? distance.error ?? `${touch}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`,
+      answer.error ?? distance.error ?? `${touch}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${sentence(distance.trace.reason ?? distance.trace.method)}`,
       ...(why ? [h("p", {}, why)] : []),
       ...lessonsOf(question, distance.trace).map(({ lesson, shows, state }) =>
         h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, `Step through ${shows}`))));

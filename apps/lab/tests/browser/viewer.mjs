@@ -98,6 +98,18 @@ test("viewer: its address holds bodies, selection and settings; undo and redo ta
   }
 });
 
+test("viewer: what is said of a pair is in whole sentences", async () => {
+  const page = await scene("shapes");
+  await page.selectOption('[data-body="0"]', { label: "capsule" });
+  for (const other of ["floor", "sphere", "convex"]) {
+    await page.selectOption('[data-body="1"]', { label: other });
+    const said = await page.textContent(".words p");
+    assert.match(said, /\. [A-Z][^.]*\.$/, other);
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("viewer: a pair is selected by its row and by its point, a body by the list of all", async () => {
   const page = await scene("heavy");
   await page.click('.numbers button.choose:text-is("light × heavy")');
