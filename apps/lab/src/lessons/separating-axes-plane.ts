@@ -27,16 +27,16 @@ export const drawAxis = (d: Drawing, axis: Axis, marks: Marks): void =>
 /** The axis as a ruler beside the shapes, with the shadows of A and B on it. */
 function ruler(d: Drawing, axis: Axis, bodies: Body[], shown: Shown = {}): void {
   const u = flat(axis.direction), n = [-u[1], u[0]];
-  const across = bodies.flatMap((body) => corners(body, 9).map((p) => -dot(p, n)));
+  const lists = bodies.map((body) => corners(body, 9)), across = lists.flat().map((p) => -dot(p, n));
   const beyond = Math.max(...across) + 0.5;
   const at = (t: number, side = 0): Vec => add(scale(u, t), scale(n, -(beyond + side)));
   const ends = [...axis.a, ...axis.b].map(Number);
   d.arrow(at(Math.min(...ends) - 0.4), at(Math.max(...ends) + 0.4), "axis", { label: axis.name, key: axis.name });
   // What none of the corners is shown of has no shadow yet.
   const spans: [Axis["a"], Axis["b"]] = [["infinity", "-infinity"], ["infinity", "-infinity"]];
-  bodies.forEach((body, i) => {
+  lists.forEach((all, i) => {
     const meaning = i === 0 ? "a" : "b", side = i === 0 ? 0.12 : 0.26;
-    const list = corners(body, 9).slice(0, shown.corners?.[i] ?? Infinity), feet = list.map((p) => dot(p, u));
+    const list = all.slice(0, shown.corners?.[i] ?? Infinity), feet = list.map((p) => dot(p, u));
     list.forEach((p, k) => {
       d.line(p, at(feet[k], side), meaning, { ghost: true, dashed: true });
       if (shown.corners) d.point(at(feet[k], side), meaning);

@@ -29,6 +29,26 @@ export function svg(tag: string, attributes: Attributes = {}, ...children: Child
 export const button = (label: string, act: () => void, more: Attributes = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
 
+/** Makes the children of an element equal to `wanted`. Where one of the same kind stands in its place already, only its
+ *  words and attributes are changed, which a browser lays out in a fraction of the time; its listeners stay, so none of
+ *  `wanted` has any. */
+export function update(element: Element, wanted: Node[]): void {
+  const there = [...element.childNodes];
+  for (const [i, node] of wanted.entries()) {
+    const old = there[i];
+    if (!old) element.append(node);
+    else if (old.isEqualNode(node)) continue;
+    else if (old instanceof Element && node instanceof Element && old.nodeName === node.nodeName) {
+      for (const { name } of [...old.attributes]) if (!node.hasAttribute(name)) old.removeAttribute(name);
+      for (const { name, value } of node.attributes) if (old.getAttribute(name) !== value) old.setAttribute(name, value);
+      update(old, [...node.childNodes]);
+    } else if (old instanceof Text && node instanceof Text) {
+      if (old.data !== node.data) old.data = node.data;
+    } else old.replaceWith(node);
+  }
+  for (const rest of there.slice(wanted.length)) rest.remove();
+}
+
 /** Words of the library, which begin small and end without a dot, as a sentence. */
 export const sentence = (words: string): string => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
 

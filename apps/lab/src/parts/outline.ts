@@ -1,20 +1,36 @@
 // Outlines of the plane's shapes, as the library draws them.
 
 import { graze, planeShapeOf } from "../graze.ts";
-import type { Body, Vec } from "../question.ts";
+import type { Body, Shape, Vec } from "../question.ts";
 
 export interface Outline {
   points: Vec[];
   closed: boolean;
 }
 
+/** The number of shapes that are known at most: one whose size is dragged is another at every moment. */
+const mostShapes = 32;
+const known = new Map<string, graze.plane.Shape>();
+/** A shape of the library's, which a drag of bodies asks for several times a frame. */
+function shapeOf(of: Shape): graze.plane.Shape {
+  const key = JSON.stringify(of);
+  let shape = known.get(key);
+  if (!shape) {
+    if (known.size >= mostShapes) {
+      for (const old of known.values()) old.dispose();
+      known.clear();
+    }
+    known.set(key, (shape = planeShapeOf(of)));
+  }
+  return shape;
+}
+
 /** The outlines of a body in the world, one for each of its pieces; a half-plane as far as `far`. */
 export function outlines(body: Body, far: number): Outline[] {
   const made: Outline[] = [];
   const same = (p: Vec, q: Vec): boolean => p[0] === q[0] && p[1] === q[1];
-  const shape = planeShapeOf(body.shape);
   const at = { translation: body.translation ?? [0, 0], rotation: Number(body.rotation ?? 0) };
-  graze.plane.draw.shape(shape, at, {
+  graze.plane.draw.shape(shapeOf(body.shape), at, {
     center: [...at.translation.slice(0, 2), 0],
     size: far,
     line(from, to) {
@@ -24,7 +40,6 @@ export function outlines(body: Body, far: number): Outline[] {
       else last.points.push(to.slice(0, 2));
     },
   });
-  shape.dispose();
   return made;
 }
 

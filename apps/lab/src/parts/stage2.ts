@@ -1,7 +1,7 @@
 // The plane: SVG, so that it is sharp at any size, can be printed, and its text can be selected.
 
 import { isSeen } from "./camera.ts";
-import { h, svg } from "./dom.ts";
+import { h, svg, update } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Handles } from "./handles.ts";
 import { LabelPlaces } from "./labels.ts";
@@ -123,9 +123,11 @@ export class Stage2 implements Stage, Drawing {
     this.dots = [];
     this.wide = [];
     paint(this);
-    this.picture.replaceChildren(...this.background(), ...this.layers);
     this.handles.show(handles);
     this.placeTexts();
+    const behind = this.background();
+    if (behind[0].parentNode !== this.picture) this.picture.replaceChildren(...behind, ...Array.from({ length: 4 }, () => svg("g")));
+    this.layers.forEach((layer, i) => update(this.picture.children[behind.length + i], [...layer.childNodes]));
     this.light(this.lit);
   }
   private placeTexts(): void {

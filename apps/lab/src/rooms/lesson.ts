@@ -5,7 +5,7 @@ import { lessons } from "../lessons/index.ts";
 import type { Example, Lesson, Step } from "../lessons/lesson.ts";
 import { Choices } from "../parts/choices.ts";
 import { codeOf } from "../parts/code.ts";
-import { h } from "../parts/dom.ts";
+import { h, update } from "../parts/dom.ts";
 import type { Stage } from "../parts/drawing.ts";
 import { drawGraph } from "../parts/graph.ts";
 import { fit, formula } from "../parts/math.ts";
@@ -168,13 +168,12 @@ export class LessonRoom implements Room {
   private paint(): void {
     const step = this.steps[this.step];
     this.timeline.show(this.step, this.steps.length);
-    const formulas = (step.formula ?? []).map((text) => formula(text));
-    this.words.replaceChildren(h("h2", {}, step.title), h("p", {}, step.text), ...formulas);
+    update(this.words, [h("h2", {}, step.title), h("p", {}, step.text), ...(step.formula ?? []).map((text) => formula(text))]);
     this.table.show(step.numbers);
     this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
     const handles = this.lesson.handles(this.state).filter(({ id, named }) => !named || step.handles?.includes(id));
     this.stage.draw((drawing) => step.draw(drawing), handles, step.says);
-    formulas.forEach(fit); // last, so that the page is laid out once a frame
+    this.words.querySelectorAll("math").forEach(fit); // last, so that the page is laid out once a frame
   }
 
   private page(): HTMLElement {

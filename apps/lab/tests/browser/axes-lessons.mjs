@@ -22,6 +22,53 @@ for (const id of ["separating-axes-plane", "fifteen-axes"])
     await page.context().close();
   });
 
+for (const id of ["spheres", "separating-axes-plane", "gjk", "epa"])
+  test(`${id}: a drag changes picture, words and numbers where they stand, to those of a page that is opened there`, async () => {
+    const page = await visit(`#/lesson/${id}`);
+    await page.click("[data-next]");
+    const kept = await page.evaluate(() => (window.kept = [".stage2 .shape", ".words p", ".numbers td"].map((part) => document.querySelector(part))).map(Boolean));
+    for (const [dx, dy] of [[37, -23], [-60, 12]]) {
+      await drag(page, "move-b", dx, dy);
+      assert.deepEqual(await page.evaluate(() => window.kept.map((part) => part === null || part.isConnected)), kept.map(() => true));
+    }
+    for (let i = 0; i < 3; i++) if (await page.isEnabled("[data-next]")) await page.click("[data-next]");
+    await page.click('button[aria-label^="Previous"]');
+    await page.mouse.move(1, 1);
+    const other = await visit(await page.evaluate(() => location.hash));
+    const parts = (one) => one.evaluate(() => [".stage2 > svg", ".words", ".numbers"].map((part) => document.querySelector(part).outerHTML.replaceAll(/<span class="changed">(.*?)<\/span>/g, "$1")));
+    const [now, fresh] = await Promise.all([page, other].map(parts));
+    const differ = await page.evaluate(([ours, theirs]) => ours.filter((html, i) => {
+      const [p, q] = [html, theirs[i]].map((text) => Object.assign(document.createElement("div"), { innerHTML: text }));
+      for (const one of [p, q]) one.querySelectorAll("math").forEach((math) => math.removeAttribute("style"));
+      return !p.isEqualNode(q);
+    }), [now, fresh]);
+    assert.deepEqual(differ, []);
+    for (const one of [page, other]) {
+      assert.deepEqual(one.trouble, []);
+      await one.context().close();
+    }
+  });
+
+test("separating axes: a row that comes below a pointer that stands still lights up, and the one that was there no more", async () => {
+  const page = await visit("#/lesson/separating-axes-plane");
+  await step(page, /^Axis A1/);
+  const keys = () => page.$$eval(".numbers tr.lit", (list) => list.map((row) => row.dataset.key));
+  await page.hover(".numbers tbody tr:nth-child(1)");
+  const [first] = await keys();
+  await page.keyboard.press("Tab");
+  await page.focus('[data-handle="move-b"]');
+  await page.keyboard.press("ArrowLeft");
+  await frame(page);
+  assert.deepEqual(await keys(), [first]);
+  await page.evaluate(() => document.querySelector('button[aria-label^="First"]').click());
+  await page.evaluate(() => document.querySelector("[data-next]").click());
+  await frame(page);
+  const under = await page.evaluate(() => document.querySelector(".numbers tbody tr:hover")?.dataset.key ?? null);
+  assert.deepEqual(await keys(), under === null ? [] : [under]);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("separating axes: what is said of a gap is true, whatever is nearest", async () => {
   const page = await visit("#/lesson/separating-axes-plane");
   await example(page, "Corner to corner");
