@@ -20,6 +20,10 @@ import type { Room } from "./room.ts";
 const isState = (value: unknown): boolean =>
   typeof value === "object" && value !== null && typeof (value as State).q === "object" && typeof (value as State).q?.a === "object";
 
+/** Where words and numbers take longer than so many milliseconds, a quarter of a frame, they follow a drag at this pace
+ *  only: the picture would wait for them. */
+const quick = 4, pace = 100;
+
 export class LessonRoom implements Room {
   readonly element: HTMLElement;
   private readonly lesson: Lesson;
@@ -43,6 +47,10 @@ export class LessonRoom implements Room {
   private looked = "";
   private readonly copyQuestion = this.link("Copy as a question", () => line(this.question()!));
   private waiting = 0;
+  /** The time at which words and numbers were shown last, what that took, and the timer that shows them again. */
+  private told = 0;
+  private telling = 0;
+  private late = 0;
   private settled = true;
 
   constructor(lesson: Lesson, values: Record<string, string>) {
@@ -65,6 +73,7 @@ export class LessonRoom implements Room {
 
   dispose(): void {
     cancelAnimationFrame(this.waiting);
+    clearTimeout(this.late);
     this.still.cancel();
     this.timeline.stop();
     this.stage.dispose();
@@ -168,12 +177,22 @@ export class LessonRoom implements Room {
   private paint(): void {
     const step = this.steps[this.step];
     this.timeline.show(this.step, this.steps.length);
+    const handles = this.lesson.handles(this.state).filter(({ id, named }) => !named || step.handles?.includes(id));
+    this.stage.draw((drawing) => step.draw(drawing), handles, step.says);
+    clearTimeout(this.late);
+    const wait = this.settled || this.telling < quick ? 0 : this.told + pace - performance.now();
+    if (wait > 0) this.late = window.setTimeout(() => this.tell(), wait);
+    else this.tell();
+  }
+  /** Shows the words and numbers of the step. */
+  private tell(): void {
+    const start = performance.now(), step = this.steps[this.step];
     update(this.words, [h("h2", {}, step.title), h("p", {}, step.text), ...(step.formula ?? []).map((text) => formula(text))]);
     this.table.show(step.numbers);
     this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
-    const handles = this.lesson.handles(this.state).filter(({ id, named }) => !named || step.handles?.includes(id));
-    this.stage.draw((drawing) => step.draw(drawing), handles, step.says);
     this.words.querySelectorAll("math").forEach(fit); // last, so that the page is laid out once a frame
+    this.told = performance.now();
+    this.telling = this.told - start;
   }
 
   private page(): HTMLElement {

@@ -49,6 +49,32 @@ for (const id of ["spheres", "separating-axes-plane", "gjk", "epa"])
     }
   });
 
+test("separating axes: where words take long they follow a drag later than the picture, and are there when it ends", async () => {
+  const page = await visit("#/lesson/separating-axes-plane");
+  await step(page, /^(They are apart|The least overlap wins)/);
+  const box = await (await page.$('[data-handle="move-b"]')).boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const seen = () => page.evaluate(() => [document.querySelector(".stage2 .shape.of-b").getAttribute("d"), document.querySelector(".numbers").textContent]);
+  /** As if they had taken a second, and had been shown so many milliseconds from now. */
+  const slow = (after) => page.evaluate((ms) => Object.assign(window.lab, { telling: 1000, told: performance.now() + ms }), after);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const [shape, words] = await seen();
+  await slow(60_000);
+  await page.mouse.move(x + 20, y + 10);
+  await page.waitForFunction((before) => document.querySelector(".stage2 .shape.of-b").getAttribute("d") !== before, shape);
+  assert.equal((await seen())[1], words);
+  await page.mouse.up();
+  await page.waitForFunction((before) => document.querySelector(".numbers").textContent !== before, words);
+  const [, later] = await seen();
+  await page.mouse.down();
+  await slow(0);
+  await page.mouse.move(x + 40, y + 20);
+  await page.waitForFunction((before) => document.querySelector(".numbers").textContent !== before, later);
+  await page.mouse.up();
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("separating axes: a row that comes below a pointer that stands still lights up, and the one that was there no more", async () => {
   const page = await visit("#/lesson/separating-axes-plane");
   await step(page, /^Axis A1/);
