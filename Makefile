@@ -120,6 +120,15 @@ test-lab: lab ## the lab's tests: the lessons' programs, the pages in headless C
 	cd apps/lab && LIBGRAZE=$(abspath $(wildcard build/release/src/libgraze.a)) \
 	  PYTHONPATH=$(abspath $(wildcard build/release/python)) QUICK=$(QUICK) npm test
 
+# Judges nothing: times on a machine with other work say little, and the browser has no graphics card.
+.PHONY: measure-lab
+measure-lab: lab ## measure the lab in headless Chromium: first drawing, a drag at a quarter of the speed, a thousand boxes
+	cd apps/lab && node tests/measure.mjs
+
+.PHONY: lab-pictures
+lab-pictures: lab ## make the pictures of the lab below docs/ anew
+	cd apps/lab && node tests/pictures.mjs
+
 # LAB=folder takes a lab that was built elsewhere, LAB=none leaves it out. The pages of docs/, the API reference, the
 # tables, the lessons and what searches them: static files for any host.
 LAB ?= apps/lab/dist

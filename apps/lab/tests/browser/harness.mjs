@@ -180,11 +180,15 @@ export async function drag(page, id, dx, dy) {
 export const traced = async (page) => JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, explain: true })));
 export const short = (x, digits = 4) => String(Number(x.toPrecision(digits))).replaceAll("-", "−");
 
+/** Ends what a page needs. */
+export async function close() {
+  await browser.close();
+  server.close();
+}
 /** Runs the chosen tests, and ends the process. */
 export async function runAll() {
   await Promise.all(Array.from({ length: atOnce }, runTests));
-  await browser.close();
-  server.close();
+  await close();
   console.log(failed ? `${failed} failed` : "all passed");
   process.exit(failed ? 1 : 0);
 }
