@@ -217,22 +217,10 @@ void add_deepest(const LeafInContext<T>& self, bool of_a, const Distance<T>& d, 
   manifold.points.push_back({of_a ? d.a : d.b, of_a ? d.b : d.a, d.distance, like.points[0].feature});
 }
 
-/// Whether a place on a triangle of a body's skin is on one of the body's own edges or corners, where the skin bends
-/// away from the triangle's plane, and the other shape reaches right through the body behind that plane. What goes
-/// further than the triangle beyond the edge is asked about by itself, and the triangle's plane has nothing to do with
-/// it: a box that leans on a floor is as deep along its sides as the floor is wide.
+/// Whether a piece is a triangle of the skin of a body beside which nothing stands.
 template <class T>
-bool is_on_ridge(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& point) {
-  if (!self.of_body || !self.beside.empty()) return false;
-  const Vec3<T> own = rotate(self.pose.rotation, face_normal(*self.piece.template as<Triangle<T>>()));
-  const Vec3<T> from = furthest(other.piece, other.pose, -own) - self.whole_pose.translation;
-  const Vec3<T> local = rotate(conjugate(self.whole_pose.rotation), own);
-  const Aabb<T>& box = self.whole.template as<Mesh<T>>()->data().tree.bounds();
-  const Vec3<T> center = box.center(), half = box.extent() / T(2);
-  if (dot(from, own) > dot(center, local) - dot(half, abs(local))) return false;
-  const auto faces = faces_around(self, point);
-  const bool bends = std::any_of(faces.begin(), faces.end(), [&](const Vec3<T>& f) { return !leads_along(f, own); });
-  return bends && !neighbour_outside_region(self, point, own, Among::all);
+bool is_of_mover(const LeafInContext<T>& self) {
+  return self.of_body && self.beside.empty();
 }
 
 /// A contact as one of its two pieces sees it.
@@ -244,6 +232,31 @@ struct SeenContact {
   bool on_face;  ///< of the piece: the normal is that of one
   T distance;    ///< signed, of the two
 };
+
+/// Whether the other shape reaches right through the body that a mesh bounds, behind a plane with this normal.
+template <class T>
+bool reaches_through(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& own) {
+  const Vec3<T> from = furthest(other.piece, other.pose, -own) - self.whole_pose.translation;
+  const Vec3<T> local = rotate(conjugate(self.whole_pose.rotation), own);
+  const Aabb<T>& box = self.whole.template as<Mesh<T>>()->data().tree.bounds();
+  const Vec3<T> center = box.center(), half = box.extent() / T(2);
+  return dot(from, own) <= dot(center, local) - dot(half, abs(local));
+}
+
+/// Whether a place on a triangle of a body's skin is on one of the body's own edges or corners, where the skin bends
+/// away from the triangle's plane, and the other shape is only near or reaches right through the body behind that
+/// plane. What goes further than the triangle beyond the edge is asked about by itself, and the triangle's plane has
+/// nothing to do with it: a box that leans on a floor is as deep along its sides as the floor is wide.
+template <class T>
+bool is_on_ridge(const LeafInContext<T>& self, const LeafInContext<T>& other, const SeenContact<T>& contact,
+                 const Vec3<T>& point) {
+  if (!is_of_mover(self)) return false;
+  const Vec3<T> own = rotate(self.pose.rotation, face_normal(*self.piece.template as<Triangle<T>>()));
+  if (contact.distance <= T(0) && !reaches_through(self, other, own)) return false;
+  const auto faces = faces_around(self, point);
+  const bool bends = std::any_of(faces.begin(), faces.end(), [&](const Vec3<T>& f) { return !leads_along(f, own); });
+  return bends && !neighbour_outside_region(self, point, own, Among::all);
+}
 
 /// Whether a contact's normal is that of the least way out itself: no direction parts the two more.
 template <class T>
@@ -327,7 +340,7 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
       if (const auto least = least_way_out(self, other)) return least;
     const bool of_other = skins && face_along(other, -outward) != Vec3<T>{};
     const bool stands = face_along(self, outward, standing_lean<T>) != Vec3<T>{};
-    if (neighbour && (of_other || (!stands && is_on_ridge(self, other, point))))
+    if (neighbour && (of_other || (!stands && is_on_ridge(self, other, contact, point))))
       return Correction<T>{outward, {}, true};
     if (neighbour && triangle) return along_face(self, *triangle, other, point);
     if (neighbour) {
@@ -358,9 +371,8 @@ bool is_of_another(const SeenContact<T>& contact, const Correction<T>& right, T 
 template <class T>
 std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const LeafInContext<T>& other,
                                         const SeenContact<T>& contact, std::optional<Correction<T>> right) {
-  const bool is_triangle = self.piece.template as<Triangle<T>>() != nullptr,
-             of_mover = self.of_body && self.beside.empty();
-  if (!right || right->least_way || (is_triangle && !of_mover)) return right;
+  const bool is_triangle = self.piece.template as<Triangle<T>>() != nullptr;
+  if (!right || right->least_way || (is_triangle && !is_of_mover(self))) return right;
   const Vec3<T> point = standing_point<T>(contact.manifold.points, contact.side);
   const T noise = own_noise(self, point);
   T apart = apart_along(self, other, right->normal);
@@ -440,6 +452,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
                          T distance) {
   Settled<T> settled{manifold, {}, false};
   Manifold<T>& now = settled.manifold;
+  bool laid_by_mover = false;  // as A
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
     if (!is_settled(self, other) || now.points.empty()) continue;
@@ -482,10 +495,16 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
       else
         settled.instead = found;
     }
+    // What one of two surfaces lays anew is asked of the other again.
     if (!of_a && right && is_settled(a, b) && !now.points.empty() && refuses(a, b, true, now)) {
       settled.instead = before;
       now = between_same_pieces(now);
+    } else if (!of_a && !right && laid_by_mover && !now.points.empty() && refuses(b, a, false, now)) {
+      settled.instead = manifold;
+      settled.instead_is_ghost = true;
+      now = between_same_pieces(now);
     }
+    laid_by_mover = of_a && right && is_of_mover(a);
   }
   return settled;
 }
