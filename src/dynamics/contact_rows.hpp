@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "dynamics/common_point.hpp"
 #include "dynamics/contact_spring.hpp"
 #include "dynamics/friction_rows.hpp"
 
@@ -48,8 +49,9 @@ struct ManifoldRows {
   using T = typename LaneOf<S>::type;
   using Bodies = RowBodies<S, Space>;
 
-  Vec normal{};          ///< from A to B
-  S mass_a{}, mass_b{};  ///< inverse
+  Vec normal{};                             ///< from A to B
+  InverseMassIn<Space> mass_a{}, mass_b{};  ///< when contacts were found
+  CommonPoint<S, Space> common_point{};
   Touching<S, Space> touching{};
   FrictionRows<S, Space> friction{};
 
@@ -83,10 +85,21 @@ struct ManifoldRows {
 
   void set_pressure_center(std::span<Row> rows, const S& count, const S& loaded, Vec& arm_a, Vec& arm_b) const;
   static Vec gained_by_turning(const RowBody<S, Space>& body, const Vec& arm, T step);
-  void solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias, const Mask& active, Bodies& bodies);
-  S speed_along_normal(const Row& r, const Bodies& bodies) const {
-    return dot(bodies.b.linear - bodies.a.linear, normal) + dot(cross(r.arm_b, normal), bodies.b.angular) -
-           dot(cross(r.arm_a, normal), bodies.a.angular);
+  /// Returns by how much the points together push more than before.
+  S solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias, const Mask& active,
+                  const ArmShifts<S, Space>& shifts, Bodies& bodies);
+  ArmShifts<S, Space> shifts(const Bodies& bodies) const {
+    return common_point.shifts(bodies.place_b.moved - bodies.place_a.moved);
+  }
+  /// The speed at which the centres of mass part along the normal.
+  S parting_of_centers(const Bodies& bodies) const { return dot(bodies.b.linear - bodies.a.linear, normal); }
+  /// The part of a point's speed along the normal that its bodies have by turning.
+  S parting_by_turning(const Row& r, const ArmShifts<S, Space>& shifts, const Bodies& bodies) const {
+    return dot(cross(r.arm_b + shifts.b, normal), bodies.b.angular) -
+           dot(cross(r.arm_a + shifts.a, normal), bodies.a.angular);
+  }
+  S speed_along_normal(const Row& r, const ArmShifts<S, Space>& shifts, const Bodies& bodies) const {
+    return parting_of_centers(bodies) + parting_by_turning(r, shifts, bodies);
   }
 };
 
@@ -126,8 +139,9 @@ template <class S, class Space>
 template <class Points>
 void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points,
                                      const S& count, T step, const WarmStart<T>& warm, std::span<Row> rows) {
-  mass_a = a.mass.mass;
-  mass_b = b.mass.mass;
+  mass_a = a.mass;
+  mass_b = b.mass;
+  common_point = CommonPoint<S, Space>(mass_a, mass_b);
   S loaded(T(0)), number(T(0));
   Vec across{};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -139,7 +153,7 @@ void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S
     r.spin_a = a.mass.inertia * turn_a;
     r.spin_b = b.mass.inertia * turn_b;
     r.separation = p.distance;
-    const S effective_mass = inverse_or_zero(mass_a + mass_b + dot(turn_a, r.spin_a) + dot(turn_b, r.spin_b));
+    const S effective_mass = inverse_or_zero(mass_a.mass + mass_b.mass + dot(turn_a, r.spin_a) + dot(turn_b, r.spin_b));
     r.effective_mass = select(number < count, effective_mass, S(T(0)));
     const S along = dot(p.impulse, normal);
     const S pressed = greatest(S(T(0)), along), whole = pressed * warm.share;
@@ -166,16 +180,18 @@ void ManifoldRows<S, Space>::warm_start(std::span<const Row> rows, Bodies& bodie
     spun_a += r.spin_a * r.impulse;
     spun_b += r.spin_b * r.impulse;
   }
-  bodies.a.linear -= normal * (pressed * mass_a);
-  bodies.b.linear += normal * (pressed * mass_b);
+  const Vec push = friction.push(normal) + normal * pressed;
+  bodies.a.linear -= push * mass_a.mass;
+  bodies.b.linear += push * mass_b.mass;
   bodies.a.angular -= spun_a;
   bodies.b.angular += spun_b;
-  friction.warm_start(normal, mass_a, mass_b, bodies);
+  friction.warm_start(mass_a, mass_b, bodies);
+  shifts(bodies).turn(mass_a, mass_b, push, bodies);
 }
 
 template <class S, class Space>
-void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias,
-                                           const Mask& active, Bodies& bodies) {
+S ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias, const Mask& active,
+                                        const ArmShifts<S, Space>& shifts, Bodies& bodies) {
   const S zero(T(0)), one(T(1)), h(step.time.h);
   const S& size = touching.size;
   const S most = fastest_push(step, size);
@@ -185,9 +201,12 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
   const Vec turned_a = turned_back_by(bodies.place_a.turned, normal);
   const Vec turned_b = turned_back_by(bodies.place_b.turned, normal);
   const Mask bounces = touching.material.restitution > zero;
+  // What rows push moves the centres along the normal alone, which is one number until all have pushed.
+  const S yields_to_push = mass_a.mass + mass_b.mass;
+  S parting_centers = parting_of_centers(bodies), pushed = zero;
   for (Row& r : rows) {
     const S s = r.separation + (moved + dot(r.arm_b, turned_b) - dot(r.arm_a, turned_a));
-    const S speed = speed_along_normal(r, bodies);
+    const S speed = parting_centers + parting_by_turning(r, shifts, bodies);
     const Mask apart = s > zero;
     S wanted = select(apart, -s * step.time.inverse_h, zero), mass_scale = one, impulse_scale = zero;
     if (bias) {
@@ -202,11 +221,14 @@ void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactSte
     const S impulse = select(at_hand, greatest(zero, r.impulse + change), r.impulse);
     const S more = impulse - r.impulse;
     r.impulse = impulse;
-    bodies.a.linear -= normal * (more * mass_a);
-    bodies.b.linear += normal * (more * mass_b);
+    parting_centers += more * yields_to_push;
+    pushed += more;
     bodies.a.angular -= r.spin_a * more;
     bodies.b.angular += r.spin_b * more;
   }
+  bodies.a.linear -= normal * (pushed * mass_a.mass);
+  bodies.b.linear += normal * (pushed * mass_b.mass);
+  return pushed;
 }
 
 template <class S, class Space>
@@ -216,9 +238,13 @@ auto ManifoldRows<S, Space>::solve(std::span<Row> rows, const ContactStep<T>& st
   // up to the speed that gravity gives in a step static friction stops what stuck or was apart before, or it would
   // never be stopped where the dynamic one is too weak.
   const S slow(step.gravity * step.time.step);
+  const ArmShifts<S, Space> moved = shifts(bodies);
   for (int round = 0; round < sliding_rounds && any(slides); ++round) {
-    solve_normals(rows, step, bias, slides, bodies);
-    slides = friction.solve(normal, mass_a, mass_b, rows, touching.material, slow, slides, bodies);
+    const Vec held = friction.push(normal);
+    const S pushed = solve_normals(rows, step, bias, slides, moved, bodies);
+    slides = friction.solve(normal, mass_a, mass_b, rows, touching.material, slow, slides, moved, bodies);
+    // Once for all rows: like their effective masses they are a little off while they push.
+    moved.turn(mass_a, mass_b, normal * pushed + (friction.push(normal) - held), bodies);
   }
   return slides;
 }
@@ -233,16 +259,18 @@ auto ManifoldRows<S, Space>::presses(std::span<const Row> rows) const -> Mask {
 template <class S, class Space>
 S ManifoldRows<S, Space>::approach(std::span<const Row> rows, const Bodies& bodies) const {
   S fastest(T(0));
+  const ArmShifts<S, Space> moved = shifts(bodies);
   for (const Row& r : rows)
-    fastest = select(r.impulse > S(T(0)), greatest(fastest, -speed_along_normal(r, bodies)), fastest);
+    fastest = select(r.impulse > S(T(0)), greatest(fastest, -speed_along_normal(r, moved, bodies)), fastest);
   return fastest;
 }
 
 template <class S, class Space>
 S ManifoldRows<S, Space>::parting(std::span<const Row> rows, const Bodies& bodies) const {
   S fastest(T(0));
+  const ArmShifts<S, Space> moved = shifts(bodies);
   for (const Row& r : rows)
-    fastest = select(r.impulse > S(T(0)), greatest(fastest, speed_along_normal(r, bodies)), fastest);
+    fastest = select(r.impulse > S(T(0)), greatest(fastest, speed_along_normal(r, moved, bodies)), fastest);
   return fastest;
 }
 

@@ -28,20 +28,14 @@ class BundleLanes {
     return {reinterpret_cast<Row*>(static_cast<Manifold*>(bundle_.rows) + 1), bundle_.row_count};
   }
 
-  [[gnu::always_inline]] Bodies velocities() const {
+  [[gnu::always_inline]] Bodies bodies() const {
     Bodies bodies;
     bodies.a = velocity(&LanePlaces::a);
     bodies.b = velocity(&LanePlaces::b);
-    bodies.roll = bundle_.roll;
-    if (bodies.roll) {
-      bodies.inertia_a = inertia(&LanePlaces::a);
-      bodies.inertia_b = inertia(&LanePlaces::b);
-    }
-    return bodies;
-  }
-  [[gnu::always_inline]] void load_places(Bodies& bodies) const {
     bodies.place_a = place(&LanePlaces::a);
     bodies.place_b = place(&LanePlaces::b);
+    bodies.roll = bundle_.roll;
+    return bodies;
   }
   [[gnu::always_inline]] RowBody<S, Over> body(std::uint32_t LanePlaces::*which) const {
     const auto center = [&](std::size_t lane) __attribute__((always_inline)) { return &at(which, lane).first_center; };
@@ -77,10 +71,6 @@ class BundleLanes {
     static_assert(sizeof(RowPlace<T, Space>) == offsetof(Body, pressure) - offsetof(Body, moved));
     const auto row = [&](std::size_t lane) __attribute__((always_inline)) { return &at(which, lane).moved; };
     return gathered<S, RowPlace<S, Over>>(row);
-  }
-  [[gnu::always_inline]] InertiaIn<Over> inertia(std::uint32_t LanePlaces::*which) const {
-    const auto row = [&](std::size_t lane) __attribute__((always_inline)) { return &at(which, lane).mass.inertia; };
-    return gathered<S, InertiaIn<Over>>(row);
   }
   [[gnu::always_inline]] void store_one(const RowVelocity<S, Over>& v, std::uint32_t LanePlaces::*which,
                                         std::uint32_t pushed, Body* bodies) const {
@@ -178,20 +168,19 @@ template <class S, class Space, class T = typename LaneOf<S>::type>
 template <class S, class Space, class T = typename LaneOf<S>::type>
 [[gnu::flatten]] void warm_start(const ContactBundle<T, Space>& bundle, SolverBody<T, Space>* bodies) {
   const BundleLanes<S, Space> in(bundle, bodies);
-  auto velocities = in.velocities();
-  in.manifold().warm_start(in.rows(), velocities);
-  in.store(velocities, bodies);
+  auto pushed = in.bodies();
+  in.manifold().warm_start(in.rows(), pushed);
+  in.store(pushed, bodies);
 }
 
 template <class S, class Space, class T = typename LaneOf<S>::type>
 [[gnu::flatten]] void solve(const ContactBundle<T, Space>& bundle, SolverBody<T, Space>* bodies,
                             const ContactStep<T>& step, bool bias) {
   const BundleLanes<S, Space> in(bundle, bodies);
-  auto velocities = in.velocities();
-  in.load_places(velocities);
+  auto pushed = in.bodies();
   auto& m = in.manifold();
-  const auto slides = m.solve(in.rows(), step, bias, velocities);
-  in.store(velocities, bodies);
+  const auto slides = m.solve(in.rows(), step, bias, pushed);
+  in.store(pushed, bodies);
   if (bias) in.note_pressure(m.presses(in.rows()), slides, bodies);
 }
 
@@ -207,13 +196,13 @@ template <class S, class Space, class T = typename LaneOf<S>::type>
 template <class S, class Space, class T = typename LaneOf<S>::type>
 [[gnu::flatten]] T approach(const ContactBundle<T, Space>& bundle, const SolverBody<T, Space>* bodies) {
   const BundleLanes<S, Space> in(bundle, bodies);
-  return greatest_of<S, Space>(bundle, in.manifold().approach(in.rows(), in.velocities()));
+  return greatest_of<S, Space>(bundle, in.manifold().approach(in.rows(), in.bodies()));
 }
 
 template <class S, class Space, class T = typename LaneOf<S>::type>
 [[gnu::flatten]] T parting(const ContactBundle<T, Space>& bundle, const SolverBody<T, Space>* bodies) {
   const BundleLanes<S, Space> in(bundle, bodies);
-  return greatest_of<S, Space>(bundle, in.manifold().parting(in.rows(), in.velocities()));
+  return greatest_of<S, Space>(bundle, in.manifold().parting(in.rows(), in.bodies()));
 }
 
 template <class S, class Space, class T = typename LaneOf<S>::type>

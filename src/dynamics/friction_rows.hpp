@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "dynamics/common_point.hpp"
 #include "dynamics/row_bodies.hpp"
 #include "graze/material.hpp"
 
@@ -74,6 +75,7 @@ template <class S>
 class FrictionRows<S, Space<S>> {
   using Vec = Vec3<S>;
   using Bodies = RowBodies<S, Space<S>>;
+  using Shifts = ArmShifts<S, Space<S>>;
   using Rows = std::span<const PointRow<S, Space<S>>>;
   using Mask = decltype(S() < S());
   using T = typename LaneOf<S>::type;
@@ -123,7 +125,7 @@ class FrictionRows<S, Space<S>> {
     const S u = dot(friction, u_), v = dot(friction, cross(normal, u_));
     const S held = sqrt(u * u + v * v), most = material.static_friction * loaded;
     const auto beyond = held > most;
-    const S su = slip_along(u_, belt_u_, a, b), sv = slip_along(cross(normal, u_), belt_v_, a, b);
+    const S su = slip_along(u_, belt_u_, {}, a, b), sv = slip_along(cross(normal, u_), belt_v_, {}, a, b);
     slid_ = select(at_limit(held, loaded, material), sqrt(su * su + sv * sv), S(0));
     const S shorter = select(beyond, most / select(beyond, held, S(1)), S(1));
     push_u_ = u * shorter;
@@ -143,27 +145,26 @@ class FrictionRows<S, Space<S>> {
     belt_v_ = dot(belt, cross(normal, u_));
   }
 
-  void warm_start(const Vec& normal, const S& mass_a, const S& mass_b, Bodies& bodies) const {
-    const Vec along = push(normal);
-    bodies.a.linear -= along * mass_a;
-    bodies.b.linear += along * mass_b;
+  /// Turns the bodies by the impulses of the last step.
+  void warm_start(const InverseMass<S>& a, const InverseMass<S>& b, Bodies& bodies) const {
     bodies.a.angular -= spin_ua_ * push_u_ + spin_va_ * push_v_ + spin_na_ * twist_;
     bodies.b.angular += spin_ub_ * push_u_ + spin_vb_ * push_v_ + spin_nb_ * twist_;
-    if (bodies.roll) roll(rolling_, bodies);
+    if (bodies.roll) roll(rolling_, a, b, bodies);
   }
 
   /// Solves friction with the total impulse of the points at hand, in the active lanes; returns whether it reached its
   /// limit there. Surfaces that begin to slide count as at rest up to the speed `slow`.
-  Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
-             const S& slow, const Mask& active, Bodies& bodies) {
+  Mask solve(const Vec& normal, const InverseMass<S>& a, const InverseMass<S>& b, Rows rows,
+             const ContactMaterial<S>& material, const S& slow, const Mask& active, const Shifts& shifts,
+             Bodies& bodies) {
     S pressed(0), lever(0);
     for (const auto& r : rows) {
       pressed += r.impulse;
       lever += r.impulse * r.distance;
     }
     solve_twist(normal, material.dynamic_friction * lever, active, bodies);
-    if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
-    return solve_sliding(normal, mass_a, mass_b, pressed, material, slow, active, bodies);
+    if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, a, b, bodies);
+    return solve_sliding(normal, a, b, pressed, material, slow, active, shifts, bodies);
   }
 
   /// The impulse across the normal.
@@ -189,9 +190,10 @@ class FrictionRows<S, Space<S>> {
 
  private:
   /// The speed along `axis` at which B's surface slides over A's at the pressure centre.
-  S slip_along(const Vec& axis, const S& belt, const RowVelocity<S, Space<S>>& a,
+  S slip_along(const Vec& axis, const S& belt, const Shifts& shifts, const RowVelocity<S, Space<S>>& a,
                const RowVelocity<S, Space<S>>& b) const {
-    const Vec slip = (b.linear + cross(b.angular, arm_b_)) - (a.linear + cross(a.angular, arm_a_));
+    const Vec slip =
+        (b.linear + cross(b.angular, arm_b_ + shifts.b)) - (a.linear + cross(a.angular, arm_a_ + shifts.a));
     return dot(slip, axis) + belt;
   }
   void solve_twist(const Vec& normal, const S& limit, const Mask& active, Bodies& bodies) {
@@ -203,11 +205,12 @@ class FrictionRows<S, Space<S>> {
     bodies.b.angular += spin_nb_ * more;
   }
 
-  void solve_rolling(const S& limit, const Mask& active, Bodies& bodies) {
+  void solve_rolling(const S& limit, const Mask& active, const InverseMass<S>& a, const InverseMass<S>& b,
+                     Bodies& bodies) {
     const Vec rolls = bodies.b.angular - bodies.a.angular, axis = normalized(rolls);
-    const S mass = inverse_or_zero(dot(axis, (bodies.inertia_a + bodies.inertia_b) * axis));
+    const S mass = inverse_or_zero(dot(axis, (a.inertia + b.inertia) * axis));
     const Vec rolling = select(active, no_longer_than(limit, rolling_ - rolls * mass), rolling_);
-    roll(rolling - rolling_, bodies);
+    roll(rolling - rolling_, a, b, bodies);
     rolling_ = rolling;
   }
   static Vec no_longer_than(const S& limit, const Vec& v) {
@@ -215,16 +218,18 @@ class FrictionRows<S, Space<S>> {
     const auto beyond = l > limit;
     return v * select(beyond, limit / select(beyond, l, S(1)), S(1));
   }
-  static void roll(const Vec& torque, Bodies& bodies) {
-    bodies.a.angular -= bodies.inertia_a * torque;
-    bodies.b.angular += bodies.inertia_b * torque;
+  static void roll(const Vec& torque, const InverseMass<S>& a, const InverseMass<S>& b, Bodies& bodies) {
+    bodies.a.angular -= a.inertia * torque;
+    bodies.b.angular += b.inertia * torque;
   }
 
-  Mask solve_sliding(const Vec& normal, const S& mass_a, const S& mass_b, const S& pressed,
-                     const ContactMaterial<S>& material, const S& slow, const Mask& active, Bodies& bodies) {
+  Mask solve_sliding(const Vec& normal, const InverseMass<S>& a, const InverseMass<S>& b, const S& pressed,
+                     const ContactMaterial<S>& material, const S& slow, const Mask& active, const Shifts& shifts,
+                     Bodies& bodies) {
     using std::sqrt;
     const Vec v = cross(normal, u_);
-    const S su = slip_along(u_, belt_u_, bodies.a, bodies.b), sv = slip_along(v, belt_v_, bodies.a, bodies.b);
+    const S su = slip_along(u_, belt_u_, shifts, bodies.a, bodies.b);
+    const S sv = slip_along(v, belt_v_, shifts, bodies.a, bodies.b);
     const S fu = push_u_ - (mass_[0] * su + mass_[1] * sv), fv = push_v_ - (mass_[1] * su + mass_[2] * sv);
     const S needed = sqrt(fu * fu + fv * fv);
     const S held = select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
@@ -236,8 +241,8 @@ class FrictionRows<S, Space<S>> {
     push_u_ = push_u;
     push_v_ = push_v;
     const Vec push = u_ * more_u + v * more_v;
-    bodies.a.linear -= push * mass_a;
-    bodies.b.linear += push * mass_b;
+    bodies.a.linear -= push * a.mass;
+    bodies.b.linear += push * b.mass;
     bodies.a.angular -= spin_ua_ * more_u + spin_va_ * more_v;
     bodies.b.angular += spin_ub_ * more_u + spin_vb_ * more_v;
     return slides;
@@ -260,13 +265,14 @@ template <class S>
 class FrictionRows<S, plane::Space<S>> {
   using Vec = plane::Vec2<S>;
   using Bodies = RowBodies<S, plane::Space<S>>;
+  using Shifts = ArmShifts<S, plane::Space<S>>;
   using Rows = std::span<const PointRow<S, plane::Space<S>>>;
   using Mask = decltype(S() < S());
   using T = typename LaneOf<S>::type;
+  using Mass = plane::InverseMass<S>;
 
  public:
-  void prepare(const Vec& normal, const Vec& arm_a, const Vec& arm_b, const plane::InverseMass<S>& a,
-               const plane::InverseMass<S>& b) {
+  void prepare(const Vec& normal, const Vec& arm_a, const Vec& arm_b, const Mass& a, const Mass& b) {
     const Vec u = left(normal);
     turn_a_ = cross(arm_a, u);
     turn_b_ = cross(arm_b, u);
@@ -281,7 +287,7 @@ class FrictionRows<S, plane::Space<S>> {
                  const ContactMaterial<S>& material, const RowVelocity<S, plane::Space<S>>& a,
                  const RowVelocity<S, plane::Space<S>>& b) {
     const S loaded = load_of<S>(rows), most = material.static_friction * loaded, held = dot(friction, left(normal));
-    slid_ = select(at_limit(abs_of(held), loaded, material), abs_of(slip(normal, a, b)), S(0));
+    slid_ = select(at_limit(abs_of(held), loaded, material), abs_of(slip(normal, {}, a, b)), S(0));
     push_ = clamp(held, -most, most);
   }
 
@@ -292,17 +298,17 @@ class FrictionRows<S, plane::Space<S>> {
 
   void set_belt(const Vec& normal, const Vec& belt) { belt_ = dot(belt, left(normal)); }
 
-  void warm_start(const Vec& normal, const S& mass_a, const S& mass_b, Bodies& bodies) const {
-    shove(normal, push_, mass_a, mass_b, bodies);
-    if (bodies.roll) roll(rolling_, bodies);
+  void warm_start(const Mass& a, const Mass& b, Bodies& bodies) const {
+    spin(push_, bodies);
+    if (bodies.roll) roll(rolling_, a, b, bodies);
   }
 
-  Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
-             const S& slow, const Mask& active, Bodies& bodies) {
+  Mask solve(const Vec& normal, const Mass& a, const Mass& b, Rows rows, const ContactMaterial<S>& material,
+             const S& slow, const Mask& active, const Shifts& shifts, Bodies& bodies) {
     S pressed(0);
     for (const auto& r : rows) pressed += r.impulse;
-    if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
-    const S speed = slip(normal, bodies.a, bodies.b);
+    if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, a, b, bodies);
+    const S speed = slip(normal, shifts, bodies.a, bodies.b);
     const S needed = push_ - mass_ * speed;
     const S held = select(slid_ > slow * creeping<T>, material.dynamic_friction, material.static_friction) * pressed;
     const Mask slides = active & (abs_of(needed) > held);
@@ -310,7 +316,10 @@ class FrictionRows<S, plane::Space<S>> {
     const S push = select(active, select(slides, clamp(needed, -limit, limit), needed), push_);
     const S more = push - push_;
     push_ = push;
-    shove(normal, more, mass_a, mass_b, bodies);
+    const Vec along = left(normal) * more;
+    bodies.a.linear -= along * a.mass;
+    bodies.b.linear += along * b.mass;
+    spin(more, bodies);
     return slides;
   }
 
@@ -325,24 +334,25 @@ class FrictionRows<S, plane::Space<S>> {
     return abs(x);
   }
   /// The speed at which B's surface slides over A's.
-  S slip(const Vec& normal, const RowVelocity<S, plane::Space<S>>& a, const RowVelocity<S, plane::Space<S>>& b) const {
-    return dot(b.linear - a.linear, left(normal)) + turn_b_ * b.angular - turn_a_ * a.angular + belt_;
+  S slip(const Vec& normal, const Shifts& shifts, const RowVelocity<S, plane::Space<S>>& a,
+         const RowVelocity<S, plane::Space<S>>& b) const {
+    const Vec u = left(normal);
+    return dot(b.linear - a.linear, u) + (turn_b_ + cross(shifts.b, u)) * b.angular -
+           (turn_a_ + cross(shifts.a, u)) * a.angular + belt_;
   }
-  void shove(const Vec& normal, const S& push, const S& mass_a, const S& mass_b, Bodies& bodies) const {
-    bodies.a.linear -= left(normal) * (push * mass_a);
-    bodies.b.linear += left(normal) * (push * mass_b);
+  void spin(const S& push, Bodies& bodies) const {
     bodies.a.angular -= spin_a_ * push;
     bodies.b.angular += spin_b_ * push;
   }
-  void solve_rolling(const S& limit, const Mask& active, Bodies& bodies) {
+  void solve_rolling(const S& limit, const Mask& active, const Mass& a, const Mass& b, Bodies& bodies) {
     const S wanted = clamp(rolling_ - (bodies.b.angular - bodies.a.angular) * rolling_mass_, -limit, limit);
     const S rolling = select(active, wanted, rolling_);
-    roll(rolling - rolling_, bodies);
+    roll(rolling - rolling_, a, b, bodies);
     rolling_ = rolling;
   }
-  static void roll(const S& torque, Bodies& bodies) {
-    bodies.a.angular -= bodies.inertia_a * torque;
-    bodies.b.angular += bodies.inertia_b * torque;
+  static void roll(const S& torque, const Mass& a, const Mass& b, Bodies& bodies) {
+    bodies.a.angular -= a.inertia * torque;
+    bodies.b.angular += b.inertia * torque;
   }
 
   S turn_a_{}, turn_b_{};  ///< arm of the pressure centre × the direction across the normal

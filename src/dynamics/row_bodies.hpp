@@ -25,9 +25,8 @@ struct RowPlace {
 template <class S, class Space>
 struct RowBodies {
   RowVelocity<S, Space> a, b;
-  RowPlace<S, Space> place_a, place_b;        ///< for `solve` alone
-  InertiaIn<Space> inertia_a{}, inertia_b{};  ///< inverse, where `roll`
-  bool roll = false;                          ///< whether anything resists rolling
+  RowPlace<S, Space> place_a, place_b;
+  bool roll = false;  ///< whether anything resists rolling
 };
 
 /// The space of a scalar as that of lanes.

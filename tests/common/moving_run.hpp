@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 5183677447004838016u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 11745778448758669017u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 8341843784057360381u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 5448761174540377541u;
 
 template <class T>
 class MovingRun {

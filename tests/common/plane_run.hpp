@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 8058252122262173543u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 17816497503921520063u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 12864962808762874925u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 2857886060560834831u;
 
 }  // namespace graze::testing
 
