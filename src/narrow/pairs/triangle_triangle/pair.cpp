@@ -66,6 +66,23 @@ void contacts_by_faces(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<
                     manifold);
 }
 
+/// The answer of the kernel about two triangles.
+struct KernelContacts {
+  TriangleDistance<double> found;
+  TriangleAxes<double> axes;
+  ContactSlots<double> points;
+};
+
+template <class T>
+KernelContacts kernel_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin) {
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair_contact);
+  KernelContacts answer;
+  const auto up_to = static_cast<double>(margin);
+  kernel(placed_triangle(a), placed_triangle(b), before_rounding<T>(up_to), up_to, answer_rounding<T>(), answer.found,
+         answer.axes, answer.points);
+  return answer;
+}
+
 /// The axes for the shapes in reverse order.
 TriangleAxes<double> mirrored_axes(TriangleAxes<double> axes) {
   axes.face.normal = -axes.face.normal;
@@ -78,13 +95,7 @@ TriangleAxes<double> mirrored_axes(TriangleAxes<double> axes) {
 template <class T>
 std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
                                         Manifold<T>& manifold) {
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair_contact);
-  const PlacedTriangle<double> placed_a = placed_triangle(a), placed_b = placed_triangle(b);
-  TriangleDistance<double> found;
-  TriangleAxes<double> axes;
-  ContactSlots<double> points;
-  const auto up_to = static_cast<double>(margin);
-  kernel(placed_a, placed_b, before_rounding<T>(up_to), up_to, answer_rounding<T>(), found, axes, points);
+  const auto [found, axes, points] = kernel_contacts(a, b, margin);
   if (!found.proven) return std::nullopt;
   const Distance<T> d = rounded<T>(found.at);
   manifold.normal = d.normal;
@@ -102,12 +113,15 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
   }
 
   const Shape<T> whole_a(a.shape, a.rounding()), whole_b(b.shape, b.rounding());
-  if (stands_second(whole_a, a.pose, whole_b, b.pose)) {
-    contacts_by_faces(b, a, margin, mirrored_axes(axes), mirrored(d), manifold);
-    mirror(manifold);
-  } else {
+  if (!stands_second(whole_a, a.pose, whole_b, b.pose)) {
     contacts_by_faces(a, b, margin, axes, d, manifold);
+    return d.distance;
   }
+  TriangleAxes<double> back = mirrored_axes(axes);
+  // Of two axes that are equally good, rounding takes another one in the other order, which is the one that counts.
+  if (std::abs(axes.face.separation - axes.edge.separation) <= axes.noise) back = kernel_contacts(b, a, margin).axes;
+  contacts_by_faces(b, a, margin, back, mirrored(d), manifold);
+  mirror(manifold);
   return d.distance;
 }
 
