@@ -123,20 +123,21 @@ bool any_as_deep(const Manifolds<T>& manifolds, std::size_t first, T distance) {
 /// inward.
 template <class T>
 void add_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, std::size_t first,
-                  T& least_distance, Manifolds<T>& manifolds) {
+                  T& least_distance, Manifolds<T>& manifolds, ManifoldGroups<T>& groups) {
   const bool of_one_part = !is_compound(a) && !is_compound(b);
   if (of_one_part && least_distance <= T(0)) return;
   const std::optional<Enclosed<T>> inside = deepest_enclosed(a, pose_a, b, pose_b);
   if (!inside) return;
   if (of_one_part) manifolds.resize(first);
   const Distance<T>& d = inside->distance;
-  Manifold<T>& manifold = manifolds.emplace_back();
+  Manifold<T> manifold;
   manifold.normal = d.normal;
   manifold.piece_a = inside->piece_a;
   manifold.piece_b = inside->piece_b;
   manifold.points.push_back({d.a, d.b, d.distance});
   manifold.status = d.status;
   manifold.error = d.error;
+  groups.add(manifold);
   least_distance = least(least_distance, d.distance);
 }
 
@@ -152,11 +153,12 @@ template <class T>
   found.add_ways_out();
   found.groups.finish();
   const bool solid = has_solid_mesh(a) || has_solid_mesh(b);
-  if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds);
+  if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds, found.groups);
   const T size = least(size_about_origin(a), size_about_origin(b));
   if (found.touching() && !any_as_deep(manifolds, first, found.least_distance + size * shallower<T>))
     found.add_last_resort();
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
+  found.groups.name_points();
   return found.least_distance;
 }
 

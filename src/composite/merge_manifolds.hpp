@@ -9,8 +9,10 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "composite/point_names.hpp"
 #include "graze/contact.hpp"
 
 namespace graze {
@@ -131,17 +133,26 @@ class ManifoldGroups {
   /// Appends to `manifolds`; what is there stays apart.
   explicit ManifoldGroups(Manifolds<T>& manifolds) : manifolds_(manifolds), first_(manifolds.size()) {}
 
+  /// Points have no feature numbers from here on, but places in a list of them, until `name_points`.
   void add(const Manifold<T>& manifold) {
     manifolds_.push_back(manifold);
+    names_.take(manifolds_.back());
     held_ += size_of(manifold);
     if (held_ < next_) return;
     finish();
+    PointNames kept;
+    held_ = 0;
+    for (std::size_t i = first_; i < manifolds_.size(); ++i) {
+      held_ += size_of(manifolds_[i]);
+      for (ContactPoint<T>& p : manifolds_[i].points) names_.move_to(kept, p);
+    }
+    names_ = std::move(kept);
     next_ = 2 * held_ + few;
   }
-  void finish() {
-    group_by_normal(manifolds_, first_);
-    held_ = 0;
-    for (std::size_t i = first_; i < manifolds_.size(); ++i) held_ += size_of(manifolds_[i]);
+  void finish() { group_by_normal(manifolds_, first_); }
+  /// Gives the points their feature numbers again. Nothing may be added after.
+  void name_points() {
+    for (std::size_t i = first_; i < manifolds_.size(); ++i) names_.give(manifolds_[i]);
   }
 
  private:
@@ -150,6 +161,7 @@ class ManifoldGroups {
   static std::size_t size_of(const Manifold<T>& manifold) { return room + manifold.points.size(); }
 
   Manifolds<T>& manifolds_;
+  PointNames names_;
   std::size_t first_, held_ = 0, next_ = few;
 };
 
