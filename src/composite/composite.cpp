@@ -155,7 +155,9 @@ template <class T>
   const bool solid = has_solid_mesh(a) || has_solid_mesh(b);
   if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds, found.groups);
   const T size = least(size_about_origin(a), size_about_origin(b));
-  if (found.touching() && !any_as_deep(manifolds, first, found.least_distance + size * shallower<T>))
+  const bool none = manifolds.size() == first;
+  if (found.touching() ? !any_as_deep(manifolds, first, found.least_distance + size * shallower<T>)
+                       : none && found.near_alone())
     found.add_last_resort();
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
   found.groups.name_points();

@@ -1,7 +1,7 @@
 // The contacts of two shapes as their pieces are visited: settled among their neighbours, laid on flat faces, joined.
 //
-// Guarantee: what touches has a point, though every contact of its pieces be a ghost. Runs of triangles give the bits
-// of triangles one by one.
+// Guarantee: what touches has a point, though every contact of its pieces be a ghost; and so has what is near, unless
+// the contact is that of a body beside. Runs of triangles give the bits of triangles one by one.
 #pragma once
 
 #include <limits>
@@ -109,9 +109,11 @@ struct TouchingPieces {
     ways_out.for_each([&](const Manifold<T>& manifold) { groups.add(manifold); });
   }
 
-  /// Adds the point without which what touches would have none. Of what is only near, every contact is another body's.
+  /// Whether the shapes are near enough for a point, which no other body can have.
+  bool near_alone() const { return least_distance <= margin && beside.empty(); }
+
+  /// Adds the point without which what touches or is near alone would have none.
   void add_last_resort() {
-    if (!touching()) return;
     if (ghost) {
       const Part<T>& whole = ghost->surface_is_a ? a : b;
       Corners<T> corners;

@@ -31,7 +31,7 @@ bool stands_clear(const LeafInContext<T>& self, const LeafInContext<T>& other, c
   const Vec3<T> middle = middle_of(other);
   if (dot(middle - point, outward) < T(0)) return false;
   const Aabb<T> sight{least(point, middle), greatest(point, middle)};
-  const T noise = place_noise(point) + place_noise(middle);
+  const T noise = place_noise(self, point) + place_noise(middle);
   return std::all_of(self.beside.begin(), self.beside.end(), [&](const PlacedRef<T>& beside) {
     if (beside.shape == &self.whole) return true;
     if (is_ground(*beside.shape)) {
@@ -40,7 +40,7 @@ bool stands_clear(const LeafInContext<T>& self, const LeafInContext<T>& other, c
       return height > slack || leads_along(outward, plane_normal(*beside.pose));
     }
     if (!beside.shape->convex()) return false;
-    if (dot(furthest(*beside.shape, *beside.pose, outward) - point, outward) <= place_noise(point)) return true;
+    if (dot(furthest(*beside.shape, *beside.pose, outward) - point, outward) <= place_noise(self, point)) return true;
     const Aabb<T> box = bounds(*beside.shape, *beside.pose);
     return !overlap(inflated(sight, on_piece<T> * max_abs(box.extent()) + T(4) * noise), box);
   });

@@ -106,7 +106,7 @@ Manifold<T> furthest_below(const LeafInContext<T>& self, const LeafInContext<T>&
 /// Whether a piece goes as far as a place in the plane of one of its faces, but for `beside`.
 template <class T>
 bool reaches_to(const LeafInContext<T>& self, const Vec3<T>& place, T beside = T(0)) {
-  const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent()) + place_noise(place);
+  const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent()) + place_noise(self, place);
   return distance_to(self, place) <= beside + noise;
 }
 
@@ -131,7 +131,7 @@ Manifold<T> beside_edge(const LeafInContext<T>& self, bool of_a, const Vec3<T>& 
 /// The rounding error of the coordinates of a place on a piece, wherever the origin is.
 template <class T>
 T own_noise(const LeafInContext<T>& self, const Vec3<T>& place) {
-  return place_noise(place) + coordinate_noise(max_abs(bounds(self.piece, self.pose).extent()));
+  return place_noise(self, place) + coordinate_noise(max_abs(bounds(self.piece, self.pose).extent()));
 }
 
 /// One point, where a corner of the other shape pokes through a triangle: no faces meet there that could be laid over

@@ -29,7 +29,8 @@ Sight<T> sight_of(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3
                   const LeafInContext<T>& other) {
   const Aabb<T> box = bounds(self.piece, self.pose);
   const T size = least(max_abs(box.extent()), max_abs(bounds(other.piece, other.pose).extent()));
-  return {self, point, middle_of(other), outward, on_piece<T> * size + place_noise(point) + place_noise(box.extent())};
+  return {self, point, middle_of(other), outward,
+          on_piece<T> * size + place_noise(self, point) + place_noise(box.extent())};
 }
 
 /// Whether the piece goes on above what may cover it, which then is the floor of a wall: at four times what counts as

@@ -42,7 +42,7 @@ class SphereCapsuleOnSurface {
         standing_point<T>(manifold.points, surface_is_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
     const Vec3<T> point = inverse_transform(pose_, touched);
     const Vec3<T> outward = rotate(conjugate(pose_.rotation), surface_is_a ? manifold.normal : -manifold.normal);
-    const T noise = place_noise(touched);
+    const T noise = place_noise(touched, point);
     return is_beside_face(triangle, outward, noise) && rises_across_edge(surface_, triangle, point, outward, noise);
   }
 

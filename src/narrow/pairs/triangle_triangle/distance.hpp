@@ -346,7 +346,7 @@ TriangleDistance<S> triangle_distance(const PlacedTriangle<S>& of_a, const Place
 template <class S>
 struct TriangleAxes {
   TriangleAxis<S> face, edge;
-  S smaller;  ///< size of the smaller triangle
+  S smaller;  ///< size of the smaller triangle: see `most_edges`
   S noise;    ///< rounding of a separation
 
   TriangleAxes times(const S& unit) const {
@@ -373,13 +373,30 @@ auto best_face_axis(const FlatTriangle<Row>& face, const To& to) {
 
 }  // namespace detail
 
+/// Number of edges of the smaller triangle up to which its size reaches: a mesh's triangle counts as large as its
+/// distance from the mesh's origin, about which the body is, but not where that is far beside them all.
+inline constexpr double most_edges = 4;
+
+namespace detail {
+
+template <class Row>
+auto size_of_smaller(const TwoTriangles<Row>& p) {
+  using std::sqrt;
+  using S = typename RowOf<Row>::Number;
+  using T = typename LaneOf<S>::type;
+  const S longest = sqrt(least(greatest_of(p.a.squared), greatest_of(p.b.squared)));
+  return least(least(p.size_a, p.size_b), S(T(most_edges)) * longest);
+}
+
+}  // namespace detail
+
 template <class Row>
 auto triangle_axes(const TwoTriangles<Row>& p) {
   using S = typename RowOf<Row>::Number;
   const TriangleAxis<S> a = detail::best_face_axis(p.a, [&](int i) { return p.to_b(i); }),
                         b = detail::best_face_axis(p.b, [&](int j) { return p.to_a(j); });
   return TriangleAxes<S>{select(b.separation > a.separation, TriangleAxis<S>{b.separation, -b.normal}, a),
-                         best_edge_axis(p).axis, least(p.size_a, p.size_b), p.noise};
+                         best_edge_axis(p).axis, detail::size_of_smaller(p), p.noise};
 }
 
 }  // namespace graze
