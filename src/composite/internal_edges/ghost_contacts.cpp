@@ -441,7 +441,11 @@ template <class T>
 bool refuses(const LeafInContext<T>& self, const LeafInContext<T>& other, bool of_a, const Manifold<T>& manifold) {
   const Vec3<T> outward = of_a ? manifold.normal : -manifold.normal;
   const Vec3<T> point = standing_point<T>(manifold.points, of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
-  if (face_along(self, outward) == Vec3<T>{} && neighbour_outside_region(self, point, outward, Among::all)) return true;
+  if (face_along(self, outward) == Vec3<T>{}) {
+    // Of a body in one piece, what is beside it does not tell.
+    if (self.whole.convex() && piece_rises_above(self.piece, self.pose, point, outward)) return true;
+    if (neighbour_outside_region(self, point, outward, Among::all)) return true;
+  }
   return !lies_open(self, outward) && surface_over(self, point, outward, other);
 }
 
