@@ -66,7 +66,7 @@ void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T m
       batch, begin, end, polygon_kernels().contacts_pay,
       [&](const PairBlock& block) {
         block.contacts(margins, found);
-        store.contacts(found, block.count, block.turned, rows);
+        store.contacts(found, block.count, block.entry.turned, rows);
         append_block(block, found, rows, to, pairs);
         for (std::size_t k = 0; k < block.count; ++k)
           if (found.known[k] == 0) alone(block.place[k]);
@@ -114,7 +114,7 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Execut
         batch, begin, end, polygon_kernels().distances_pay,
         [&](const PairBlock& block) {
           block.distances(found);
-          store.distances(found, block.count, block.turned, rows);
+          store.distances(found, block.count, block.entry.turned, rows);
           for (std::size_t k = 0; k < block.count; ++k)
             if (found.known[k] != 0)
               distances[block.place[k]] = rows[k];

@@ -7,6 +7,7 @@
 #include "plane/first_contact.hpp"
 #include "plane/leaves.hpp"
 #include "plane/ray_hit.hpp"
+#include "plane/rounded_time.hpp"
 #include "plane/sliding.hpp"
 #include "plane/straight_contact.hpp"
 #include "plane/sure_hit.hpp"
@@ -58,11 +59,12 @@ std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, doub
 /// Nobody who looks on.
 constexpr auto unseen = [](double, double, const Vec2d&) {};
 
-/// A time in T that is not later.
+/// The pose from which a body moves, without negative zeros: what is added on the way to a piece's place would make
+/// some of them positive.
 template <class T>
-T rounded_down(double t) {
-  const T rounded = static_cast<T>(t);
-  return double(rounded) > t ? std::nextafter(rounded, T(0)) : rounded;
+[[gnu::always_inline]] inline Pose2d start_of(const Pose2<T>& pose) {
+  const Pose2d at = at_unit(pose);
+  return {at.translation + Vec2d{}, at.rotation};
 }
 
 /// Two bodies that move, as the pairs of their convex pieces.
@@ -76,8 +78,8 @@ struct MovingPair {
              const Pose2<T>& pose_b, const Velocity<T>& velocity_b)
       : a(shape_a),
         b(shape_b),
-        body_a(at_unit(pose_a)),
-        body_b(at_unit(pose_b)),
+        body_a(start_of(pose_a)),
+        body_b(start_of(pose_b)),
         of_a{converted<double>(velocity_a.linear), double(velocity_a.angular)},
         of_b{converted<double>(velocity_b.linear), double(velocity_b.angular)} {}
 
@@ -128,7 +130,7 @@ template <class T>
 straight_cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
               const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::optional<CastHit<T>>& out) {
   if (velocity_a.angular != T(0) || velocity_b.angular != T(0) || !a.convex() || !b.convex()) return false;
-  const Pose2d at_a = at_unit(pose_a), at_b = at_unit(pose_b);
+  const Pose2d at_a = start_of(pose_a), at_b = start_of(pose_b);
   const auto extent_a = double(extent(a)), extent_b = double(extent(b));
   if (!(discs_apart(at_b.translation - at_a.translation, extent_a, extent_b) > 0)) return false;
   const Core<T> core_a = convex_core(a), core_b = convex_core(b);

@@ -3,6 +3,8 @@
 // Guarantee: vertices and edges have the bits that `DifferenceOutline` gives them.
 #pragma once
 
+#include <type_traits>
+
 #include "plane/pairs/lane_pair.hpp"
 #include "plane/pairs/polygon_kernels.hpp"
 #include "plane/unit_rotation.hpp"
@@ -41,20 +43,41 @@ template <class M, class S>
           select(condition, yes.start, no.start), select(condition, yes.edge, no.edge)};
 }
 
+/// A polygon in place of at most N vertices, rounded by a radius: its vertices counter-clockwise in its own frame, with
+/// the first one again behind the last.
 template <class S, std::size_t N>
+struct LanePolygon {
+  Pose2<S> pose;
+  Vec2<S> own[N];
+  S count, radius;
+};
+
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline LanePolygon<S, N> polygon_at(const PolygonColumns& columns, std::size_t first) {
+  const auto at = [&](const double* column) __attribute__((always_inline)) { return S::load(column + first); };
+  LanePolygon<S, N> out;
+  out.pose = {{at(columns.pose[0]), at(columns.pose[1])}, {at(columns.pose[2]), at(columns.pose[3])}};
+  for (std::size_t k = 0; k < N; ++k) out.own[k] = {at(columns.x[k]), at(columns.y[k])};
+  out.count = at(columns.count);
+  out.radius = at(columns.radius);
+  return out;
+}
+
+/// Two polygons, A with at most N vertices and B with at most M.
+template <class S, std::size_t N, std::size_t M = N>
 struct LanePolygons {
   using Mask = decltype(S(0) < S(0));
-  LaneVertices<S, N> a, b;
+  LaneVertices<S, N> a;
+  LaneVertices<S, M> b;
   Pose2<S> pose_a, b_in_a;
   S radius_a, radius_b;
   S size;  ///< of coordinates, which roundings refer to
   Mask known;
 
-  [[gnu::always_inline]] LanePolygons(const PolygonBlock& block, std::size_t first) {
-    const auto pose = [&](const PolygonColumns& c) __attribute__((always_inline)) {
-      return Pose2<S>{{S::load(c.pose[0] + first), S::load(c.pose[1] + first)},
-                      {S::load(c.pose[2] + first), S::load(c.pose[3] + first)}};
-    };
+  [[gnu::always_inline]] LanePolygons(const PolygonBlock& block, std::size_t first)
+      : LanePolygons(polygon_at<S, N>(block.a, first), polygon_at<S, M>(block.b, first)) {}
+  [[gnu::always_inline]] LanePolygons(const LanePolygon<S, N>& of_a, const LanePolygon<S, M>& of_b)
+      : radius_a(of_a.radius), radius_b(of_b.radius), known(S(0) < S(1)) {
     const auto unit = [&](const Pose2<S>& p) __attribute__((always_inline)) {
       const Rot2<S> q = p.rotation;
       const S excess = q.cosine * q.cosine + q.sine * q.sine - S(1);
@@ -62,19 +85,18 @@ struct LanePolygons {
       const S scale = S(1) - excess * (S(0.5) - S(0.375) * excess);
       return Pose2<S>{p.translation, {q.cosine * scale, q.sine * scale}};
     };
-    known = S(0) < S(1);
-    pose_a = unit(pose(block.a));
-    b_in_a = relative(pose_a, unit(pose(block.b)));
-    radius_a = S::load(block.a.radius + first), radius_b = S::load(block.b.radius + first);
+    pose_a = unit(of_a.pose);
+    b_in_a = relative(pose_a, unit(of_b.pose));
     size = max_abs(b_in_a.translation);
-    load(block.a, first, a);
-    load(block.b, first, b);
+    take(of_a, a);
+    take(of_b, b);
     for (std::size_t k = 0; k < N; ++k) {
-      const std::size_t after = k + 1 == N ? 0 : k + 1;
       a.vertex[k] = a.own[k];
-      a.edge[k] = a.own[after] - a.own[k];
+      a.edge[k] = a.own[k + 1 == N ? 0 : k + 1] - a.own[k];
+    }
+    for (std::size_t k = 0; k < M; ++k) {
       b.vertex[k] = transform(b_in_a, b.own[k]);
-      b.edge[k] = rotate(b_in_a.rotation, -(b.own[after] - b.own[k]));
+      b.edge[k] = rotate(b_in_a.rotation, -(b.own[k + 1 == M ? 0 : k + 1] - b.own[k]));
     }
     known = known & (size >= S(least_lane_size)) & (size <= S(most_lane_size));
   }
@@ -88,13 +110,26 @@ struct LanePolygons {
   /// roots, is a normal double with room for edges that are shorter: other pairs are answered one by one.
   static constexpr double least_lane_size = 1e-14, most_lane_size = 1e14;
 
-  [[gnu::always_inline]] void load(const PolygonColumns& from, std::size_t first, LaneVertices<S, N>& to) {
-    to.count = S::load(from.count + first);
-    for (std::size_t k = 0; k < N; ++k) to.own[k] = {S::load(from.x[k] + first), S::load(from.y[k] + first)};
+  template <std::size_t K>
+  [[gnu::always_inline]] void take(const LanePolygon<S, K>& from, LaneVertices<S, K>& to) {
+    to.count = from.count;
+    for (std::size_t k = 0; k < K; ++k) to.own[k] = from.own[k];
     S reach = max_abs(to.own[0]);
-    for (std::size_t k = 1; k < N; ++k) reach = greatest(reach, max_abs(to.own[k]));
+    for (std::size_t k = 1; k < K; ++k) reach = greatest(reach, max_abs(to.own[k]));
     size += reach;
   }
 };
+
+/// Calls `f` with the least number of vertices that the kernels are written for and no polygon exceeds.
+template <class F>
+[[gnu::always_inline]] inline void with_vertices(const PolygonBlock& block, const F& f) {
+  const std::size_t most = block.a.most > block.b.most ? block.a.most : block.b.most;
+  if (most <= 4)
+    f(std::integral_constant<std::size_t, 4>());
+  else if (most <= 6)
+    f(std::integral_constant<std::size_t, 6>());
+  else
+    f(std::integral_constant<std::size_t, lane_vertices>());
+}
 
 }  // namespace graze::plane

@@ -33,6 +33,15 @@ template <class T>
   });
 }
 
+template <class T>
+[[gnu::flatten]] void load_velocities(const plane::Velocity<T>* const* rows, std::size_t count,
+                                      double (&to)[2][block_pairs]) {
+  static_assert(sizeof(plane::Velocity<T>) == 3 * sizeof(T) && offsetof(plane::Velocity<T>, linear) == 0);
+  for_bundles<T, 2>(rows, count, [&](const Lanes<T>* n, std::size_t first) {
+    for (std::size_t k = 0; k < 2; ++k) put<T>(n[k], to[k] + first);
+  });
+}
+
 constexpr std::size_t radius_column = shape_columns - 1;
 
 template <class T>
@@ -91,7 +100,7 @@ constexpr auto loader_of() -> void (*)(const void* const*, std::size_t, BlockCol
 }
 template <class T, std::size_t... I>
 constexpr LoadKernels<T> kernels_of(std::index_sequence<I...>) {
-  return {load_poses<T>, {loader_of<std::variant_alternative_t<I, ShapeList<T>>>()...}};
+  return {load_poses<T>, {loader_of<std::variant_alternative_t<I, ShapeList<T>>>()...}, load_velocities<T>};
 }
 constexpr AllLoadKernels load_kernels{kernels_of<float>(std::make_index_sequence<Shape<float>::count>()),
                                       kernels_of<double>(std::make_index_sequence<Shape<double>::count>())};

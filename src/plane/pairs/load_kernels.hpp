@@ -3,6 +3,7 @@
 // Guarantee: the numbers are those that a pair alone is loaded as; nothing behind a shape or a pose is read.
 #pragma once
 
+#include "graze/plane/cast.hpp"
 #include "plane/pairs/lane_shape.hpp"
 #include "plane/pairs/pair_kernels.hpp"
 
@@ -19,6 +20,8 @@ struct LoadKernels {
   void (*poses)(const Pose2<T>* const* rows, std::size_t count, BlockColumns& to);
   /// Sizes and radii, without `Shape::rounding`, of shapes of a kind by its place in `ShapeList`; null without a core.
   std::array<void (*)(const void* const* rows, std::size_t count, BlockColumns& to), Shape<T>::count> shapes;
+  /// Linear velocities.
+  void (*velocities)(const Velocity<T>* const* rows, std::size_t count, double (&to)[2][block_pairs]);
 };
 
 /// The kernels for both scalars.

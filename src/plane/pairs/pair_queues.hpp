@@ -27,8 +27,8 @@ struct PairQueue {
 struct PairBlock {
   std::size_t count;
   const std::uint32_t* place;  ///< of each in the batch
-  bool turned;                 ///< whether their shapes are taken the other way round
-  const PairKernels* kernels;  ///< of the entry
+  PairEntry entry;             ///< of all of them
+  const PairKernels* kernels;  ///< of that entry
   const PairColumns<block_pairs>* columns;
   const PolygonBlock* polygons;
 
@@ -55,36 +55,45 @@ class PairQueues {
   template <class Block, class Alone>
   void visit(const Batch<T>& batch, std::size_t begin, std::size_t end, bool polygons, const Block& block,
              const Alone& alone) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!add(batch, i, polygons, block)) alone(i);
+    finish(block);
+  }
+  /// Takes the i-th pair into a block, which is visited when it is full, and returns whether one takes it.
+  template <class Block>
+  bool add(const Batch<T>& batch, std::size_t i, bool polygons, const Block& block) {
     const Bodies<T>&a = batch.a(), &b = batch.b();
-    for (std::size_t i = begin; i < end; ++i) {
-      const IdPair p = batch[i];
-      const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
-      const std::optional<PairEntry>& entry = KindTable<T>::at(kind_a, kind_b);
-      if (!entry || !accepts(a, p.a, kind_a) || !accepts(b, p.b, kind_b)) {
-        if (entry || !polygons || !polygons_.take(batch, i))
-          alone(i);
-        else if (polygons_.count() == block_pairs)
-          run_polygons(block);
-        continue;
-      }
-      PairQueue<T>& queue = queues_[queue_of(kind_a, kind_b)];
-      const std::size_t k = queue.count++;
-      queue.a[k] = a.concrete(p.a);
-      queue.b[k] = b.concrete(p.b);
-      queue.pose_a[k] = &a.pose(p.a);
-      queue.pose_b[k] = &b.pose(p.b);
-      queue.rounding_a[k] = a.rounding(p.a);
-      queue.rounding_b[k] = b.rounding(p.b);
-      queue.rounded = queue.rounded || queue.rounding_a[k] != T(0) || queue.rounding_b[k] != T(0);
-      queue.place[k] = static_cast<std::uint32_t>(i);
-      if (queue.count == block_pairs) run(kind_a, kind_b, queue, block);
+    const IdPair p = batch[i];
+    const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
+    const std::optional<PairEntry>& entry = KindTable<T>::at(kind_a, kind_b);
+    if (!entry || !accepts(a, p.a, kind_a) || !accepts(b, p.b, kind_b)) {
+      if (entry || !polygons || !polygons_.take(batch, i)) return false;
+      if (polygons_.count() == block_pairs) run_polygons(block);
+      return true;
     }
+    PairQueue<T>& queue = queues_[queue_of(kind_a, kind_b)];
+    const std::size_t k = queue.count++;
+    queue.a[k] = a.concrete(p.a);
+    queue.b[k] = b.concrete(p.b);
+    queue.pose_a[k] = &a.pose(p.a);
+    queue.pose_b[k] = &b.pose(p.b);
+    queue.rounding_a[k] = a.rounding(p.a);
+    queue.rounding_b[k] = b.rounding(p.b);
+    queue.rounded = queue.rounded || queue.rounding_a[k] != T(0) || queue.rounding_b[k] != T(0);
+    queue.place[k] = static_cast<std::uint32_t>(i);
+    if (queue.count == block_pairs) run(kind_a, kind_b, queue, block);
+    return true;
+  }
+  /// Visits the blocks that are not full.
+  template <class Block>
+  void finish(const Block& block) {
     for (std::size_t ka = 0; ka < kinds; ++ka)
       for (std::size_t kb = 0; kb < kinds; ++kb)
         if (slot_of[ka] < slots && slot_of[kb] < slots)
           if (PairQueue<T>& queue = queues_[queue_of(ka, kb)]; queue.count > 0) run(ka, kb, queue, block);
     if (polygons_.count() > 0) run_polygons(block);
   }
+  const LoadKernels<T>& load() const { return load_; }
 
  private:
   static constexpr std::size_t kinds = Shape<T>::count;
@@ -137,7 +146,7 @@ class PairQueues {
       add_rounding(queue.rounding_a, count, a);
       add_rounding(queue.rounding_b, count, b);
     }
-    block(PairBlock{count, queue.place, entry.turned, &kernels_[entry.place], &columns_, nullptr});
+    block(PairBlock{count, queue.place, entry, &kernels_[entry.place], &columns_, nullptr});
     queue.count = 0;
     queue.rounded = false;
   }
@@ -145,7 +154,7 @@ class PairQueues {
   template <class Block>
   void run_polygons(const Block& block) {
     const std::size_t count = polygons_.count();
-    block(PairBlock{count, polygons_.place(), false, nullptr, nullptr, &polygons_.load(load_)});
+    block(PairBlock{count, polygons_.place(), {}, nullptr, nullptr, &polygons_.load(load_)});
   }
 
   /// The most lanes of a register on any machine.

@@ -1,5 +1,3 @@
-#include <type_traits>
-
 #include "plane/pairs/lane_answers.hpp"
 #include "plane/pairs/lane_polygon_manifold.hpp"
 #include "plane/pairs/polygon_kernels.hpp"
@@ -55,18 +53,6 @@ template <std::size_t N>
     put_point(pair.pose_a, m.first, i, out.points[0]);
     put_point(pair.pose_a, m.second, i, out.points[1]);
   }
-}
-
-/// Calls `f` with the least number of vertices that the kernels are written for and no polygon exceeds.
-template <class F>
-void with_vertices(const PolygonBlock& block, const F& f) {
-  const std::size_t most = block.a.most > block.b.most ? block.a.most : block.b.most;
-  if (most <= 4)
-    f(std::integral_constant<std::size_t, 4>());
-  else if (most <= 6)
-    f(std::integral_constant<std::size_t, 6>());
-  else
-    f(std::integral_constant<std::size_t, lane_vertices>());
 }
 
 void distances(const PolygonBlock& block, std::size_t count, DistanceColumns<block_pairs>& out) {
