@@ -2,7 +2,7 @@
 // mass.
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
-// the contact. `World::find_impacts` casts both of two that move, turning included, so that rods do not pass posts nor
+// the contact. What comes behind it is cast again, since it now meets one that stands. `World::find_impacts` casts both of two that move, turning included, so that rods do not pass posts nor
 // bullets each other. A body that something fast strikes which no blow stops, a kinematic one, is carried along by it
 // to the end of the step. Bodies that hard joints hold together are held back together, at the first contact that any
 // of them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that
@@ -147,9 +147,9 @@ std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, s
 /// The way by which a body that is held back came to where it was.
 template <class Space>
 struct HeldBody {
-  bool joined, pushed;             ///< by a hard joint; by contacts or joints, in this step
-  bool touched;                    ///< what holds it back, when the step began
-  typename Space::Vec carried_by;  ///< how far from its own way, by what it met and goes on
+  bool joined{}, pushed{};           ///< by a hard joint; by contacts or joints, in this step
+  bool touched{};                    ///< what holds it back, when the step began
+  typename Space::Vec carried_by{};  ///< how far from its own way, by what it met and goes on
 };
 
 /// The angle in a step beyond which a body that is held back by what it touches turns too fast for the steps: its
@@ -190,8 +190,9 @@ void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typen
   const TurningBody<Space> turning{body.free.angular_momentum, end.angular};
   const typename Space::Vec acceleration = parts.settings.gravity * body.gravity_factor;
   parts.place(index, at, {});
-  T part = held.pushed ? T(0) : T(1);
-  if (held.joined) part = part_given_back<T>(end.linear, acceleration, end.center - body.free.center, late);
+  T part(1);
+  if (held.joined || held.pushed)
+    part = part_given_back<T>(end.linear, acceleration, end.center - body.free.center, late);
   body.free.linear = part > T(0) ? end.linear - acceleration * (late * part) : end.linear;
   body.free.linear = keeping_energy<T>(body.free.linear, acceleration, held.carried_by);
   const bool in_touch = (held.pushed || held.touched) && !held.joined;
@@ -260,24 +261,25 @@ struct Meetings {
   std::vector<std::uint8_t> pushed;  ///< by contacts or joints, in this step
 };
 
-/// Casts the fast bodies. They are held back by what they meet, and what they meet by those that cannot be.
+/// Casts the bodies whose ways are new. The fast ones are held back by what they meet before `until`, and what they meet
+/// by those that cannot be.
 template <class T, class Space>
 Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<const std::uint32_t> fast,
-                                 std::span<const typename Space::Velocity> mean, T dt) {
+                                 std::span<const std::uint32_t> anew, std::span<const typename Space::Velocity> mean,
+                                 T dt, T until) {
   const std::size_t count = parts.bodies.size();
   std::vector<std::uint8_t> is_fast(count, 0);
-  for (const std::uint32_t i : fast) {
-    is_fast[i] = 1;
-    parts.world.set_fast(parts.world.bodies().id(i), true);
-  }
+  for (const std::uint32_t i : fast) is_fast[i] = 1;
+  for (const std::uint32_t i : anew) parts.world.set_fast(parts.world.bodies().id(i), true);
   parts.world.find_impacts(dt);
-  for (const std::uint32_t i : fast) parts.world.set_fast(parts.world.bodies().id(i), false);
+  for (const std::uint32_t i : anew) parts.world.set_fast(parts.world.bodies().id(i), false);
   Meetings<T, Space> found{{count, Meeting<T, Space>{dt}}, std::vector<T>(count, dt), pushed_bodies(parts)};
   std::vector<Meeting<T, Space>> driven(found.first);  // with what is fast and cannot be held back
   for (const Impact<T, Space>& impact : parts.world.impacts()) {
     if (impact.trigger) continue;
     const std::uint32_t a = impact.a.index, b = impact.b.index;
     const T time = holding_time<T, Space>(parts, impact, mean, dt);
+    if (!(time < until)) continue;
     for (const std::uint32_t i : {a, b}) {
       const Meeting<T, Space> meeting{time, i == a ? b : a, impact.hit.point, impact.hit.normal};
       if (!parts.bodies[i].movable) continue;
@@ -301,42 +303,91 @@ Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<con
   return found;
 }
 
+/// The rounds of casts that a step takes at most. Each holds back those behind whom the one before has held back: a
+/// crowd that moves as one has as many as it is deep, and what is left after these sinks into each other.
+constexpr int most_rounds = 16;
+/// The part of a body's way in a step beyond which a further round holds it back no more: those that stand in touch
+/// where the last round left them meet at the very end of their ways, up to rounding.
+template <class T>
+constexpr T worth_a_round = T(63) / T(64);
+
+/// The bodies that a step holds back, round by round: where, and for which part of the step each has moved.
+template <class T, class Space>
+struct Rounds {
+  using Pose = typename Space::Pose;
+  using Vec = typename Space::Vec;
+
+  SimulationParts<T, Space>& parts;
+  T dt;
+  std::span<const std::uint32_t> fast;
+  std::vector<typename Space::Velocity> mean;                 ///< of each body's way, as far as it goes by now
+  std::vector<std::uint32_t> anew{fast.begin(), fast.end()};  ///< bodies whose ways are not cast yet
+  std::vector<T> ends = std::vector<T>(mean.size(), dt);
+  std::vector<Pose> at = std::vector<Pose>(mean.size());
+  std::vector<HeldBody<Space>> held = std::vector<HeldBody<Space>>(mean.size());
+
+  /// Casts the bodies whose ways are new and ends the ways of those that meet something before `until`. Returns whether
+  /// there are any.
+  bool hold(T until) {
+    auto [first, stops, pushed] = find_meetings<T, Space>(parts, fast, anew, mean, dt, until);
+    anew.clear();
+    if (std::none_of(stops.begin(), stops.end(), [&](T stop) { return stop < dt; })) return false;
+    const std::size_t count = mean.size();
+    std::vector<Vec> carried(count);
+    const auto goes_on = [&, &first = first](std::uint32_t i) { return !parts.bodies[first[i].other].movable; };
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (stops[i] < dt && goes_on(i)) carried[i] = carried_by(i, first[i], stops);
+    const std::vector<std::uint8_t> joined = end_together<T, Space>(parts, stops, carried);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (stops[i] < dt && joined[i] == 0 && !goes_on(i)) carried[i] = carried_by(i, first[i], stops);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (stops[i] < dt) end(i, stops[i], carried[i], first[i].other, joined[i] != 0, pushed[i] != 0);
+    return true;
+  }
+
+ private:
+  /// The way of a body that stays in touch with what it met, which goes on: along the normal with the material point
+  /// that it met, and around with what nothing pushes, whose point may lead far from it in a step.
+  Vec carried_by(std::uint32_t i, const Meeting<T, Space>& meeting, std::span<const T> stops) const {
+    const std::uint32_t other = meeting.other;
+    const typename Space::Velocity& motion = mean[other];
+    const T late = greatest(T(0), stops[other] - meeting.time);
+    const Vec center = parts.found_at[other].translation + motion.linear * meeting.time;
+    const bool around = !parts.bodies[other].movable && !(motion.angular == typename Space::Turning{});
+    const Vec speed = around ? motion.linear : motion.linear + cross(motion.angular, meeting.point - center);
+    const Vec along = meeting.normal * (dot(speed, meeting.normal) * late);
+    if (!around) return along;
+    const Vec arm = pose_at(parts.found_at[i], mean[i], stops[i]).translation - center;
+    return along + (rotate(pose_at(Pose{}, motion, late).rotation, arm) - arm);
+  }
+
+  /// Ends a body's way at `stop`, and carries it.
+  void end(std::uint32_t i, T stop, const Vec& carried, std::uint32_t other, bool joined, bool pushed) {
+    const T part = stop / dt;
+    at[i] = pose_at(parts.found_at[i], mean[i], stop);
+    at[i].translation += carried;
+    const bool touched = met<T, Space>(parts.world.contacts(), i, other) != nullptr;
+    anew.push_back(i);
+    held[i] = {joined, held[i].pushed || pushed, held[i].touched || touched, held[i].carried_by * part + carried};
+    ends[i] = ends[i] < dt ? ends[i] * part : stop;
+    mean[i] = {mean[i].linear * part + carried / dt, mean[i].angular * part};
+    parts.world.move(parts.world.bodies().id(i), parts.found_at[i], mean[i].linear, mean[i].angular);
+  }
+};
+
 }  // namespace
 
 template <class T, class Space>
 void SimulationParts<T, Space>::hold_back(T dt) {
   const std::vector<std::uint32_t> fast = fast_bodies(*this, dt);
   if (fast.empty()) return;
-  const std::vector<typename Space::Velocity> mean = mean_velocities(*this, dt);
-  auto [first, ends, pushed] = find_meetings<T, Space>(*this, fast, mean, dt);
-  if (std::none_of(ends.begin(), ends.end(), [&](T end) { return end < dt; })) return;
-  // The way of a body that stays in touch with what it met, which goes on: along the normal with the material point
-  // that it met, and around with what nothing pushes, whose point may lead far from it in a step.
-  const auto carried_by = [&, &ends = ends](std::uint32_t i, const Meeting<T, Space>& meeting) {
-    const std::uint32_t other = meeting.other;
-    const typename Space::Velocity& motion = mean[other];
-    const T late = greatest(T(0), ends[other] - meeting.time);
-    const typename Space::Vec center = found_at[other].translation + motion.linear * meeting.time;
-    const bool around = !bodies[other].movable && !(motion.angular == typename Space::Turning{});
-    const typename Space::Vec speed =
-        around ? motion.linear : motion.linear + cross(motion.angular, meeting.point - center);
-    const typename Space::Vec along = meeting.normal * (dot(speed, meeting.normal) * late);
-    if (!around) return along;
-    const typename Space::Vec arm = pose_at(found_at[i], mean[i], ends[i]).translation - center;
-    return along + (rotate(pose_at(typename Space::Pose{}, motion, late).rotation, arm) - arm);
-  };
-  std::vector<typename Space::Vec> carried(bodies.size());
-  for (std::uint32_t i = 0; i < bodies.size(); ++i)
-    if (ends[i] < dt && !bodies[first[i].other].movable) carried[i] = carried_by(i, first[i]);
-  const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends, carried);
+  Rounds<T, Space> rounds{*this, dt, fast, mean_velocities(*this, dt)};
+  for (int round = 0; round < most_rounds && rounds.hold(round == 0 ? dt : dt * worth_a_round<T>); ++round) {
+  }
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (!(ends[i] < dt)) continue;
+    if (!(rounds.ends[i] < dt)) continue;
     ++last.stopped;
-    if (joined[i] == 0 && bodies[first[i].other].movable) carried[i] = carried_by(i, first[i]);
-    typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
-    at.translation += carried[i];
-    const bool touched = met<T, Space>(world.contacts(), i, first[i].other) != nullptr;
-    set_back<T, Space>(*this, i, at, dt - ends[i], dt, {joined[i] != 0, pushed[i] != 0, touched, carried[i]});
+    set_back<T, Space>(*this, i, rounds.at[i], dt - rounds.ends[i], dt, rounds.held[i]);
   }
 }
 

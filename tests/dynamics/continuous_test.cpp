@@ -1,8 +1,13 @@
-// Continuous collision with what nothing stops: fast kinematic bodies take along what they meet.
+// Continuous collision with what nothing stops, where fast kinematic bodies take along what they meet, and in crowds,
+// where those behind are held back by those in front.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
+#include <vector>
 
 #include "dynamics/simulated.hpp"
 #include "graze/plane/simulation.hpp"
@@ -117,6 +122,66 @@ TEST(ContinuousTumbling, WhatTurnsFastStaysAboveTheGround) {
           for (int i = 0; i < 120; ++i) s.step(1.0 / 60);
           EXPECT_GT(s.poses()[body.index].translation.y, 0) << field << ", " << speed << ", " << shape.name() << k;
         }
+}
+
+/// Ten thin plates fall on a floor behind each other, in a step further than the gaps between them: those behind do not
+/// pass through those that the floor has stopped, until all have come to it.
+TYPED_TEST(Continuous, PlatesThatFallBehindEachOtherStayInOrder) {
+  using T = TypeParam;
+  for (const T tilt : {T(0), T(0.01)}) {
+    Simulation<T> s(settings<T>());
+    add_floor(s);
+    std::vector<BodyId> plates;
+    for (int i = 0; i < 10; ++i) {
+      const Quat<T> turned = Quat<T>::from_axis_angle({T(0), T(0), T(1)}, tilt * T(i % 3 - 1));
+      const Pose<T> pose{{T(0), T(0.1) + T(0.05) * T(i), T(0)}, turned};
+      plates.push_back(s.add({Box<T>({T(1), T(0.02), T(1)}), pose, {T(0), T(-5), T(0)}}));
+    }
+    const auto height = [&](std::size_t i) { return s.poses()[plates[i].index].translation.y; };
+    for (int step = 0; step < 30; ++step) {
+      s.step(T(1) / T(60));
+      for (std::size_t i = 0; i + 1 < plates.size(); ++i)
+        ASSERT_LT(height(i), height(i + 1)) << tilt << ", step " << step << ", plate " << i;
+    }
+  }
+}
+
+/// A house of cards of five storeys, each card two metres long and two centimetres thick, that falls when one is taken
+/// away: cards fall on cards that fall, and cut into each other by little more than their thickness.
+TEST(ContinuousCrowd, CardsThatFallOnCardsDoNotPassThrough) {
+  constexpr double card = 2, thick = 0.02, lean = 0.4363323129985824;  // 25 degrees
+  const double c = std::cos(lean), s = std::sin(lean), high = 2 * (c + thick / 2 * s), apart = card + 0.005;
+  Material<double> rough;
+  rough.static_friction = rough.dynamic_friction = 0.7;
+  for (const std::size_t taken : {3, 6, 14, 20}) {
+    Simulation<double> house(settings<double>());
+    add_floor(house, rough);
+    std::vector<BodyId> cards;
+    const auto add = [&](double x, double y, double angle) {
+      const Posed pose{{x, y, 0}, Quatd::from_axis_angle({0, 0, 1}, angle)};
+      cards.push_back(house.add({Box<double>({thick, card, 1}), pose}, {}, rough));
+    };
+    double level = 0;
+    for (int storey = 5; storey > 0; --storey) {
+      for (int i = 0; i < storey; ++i)
+        for (const double side : {-1.0, 1.0})
+          add((i - 0.5 * (storey - 1)) * apart + side * (s + thick / 2 * c), level + high / 2, side * lean);
+      for (int i = 0; i + 1 < storey; ++i)
+        add((i - 0.5 * (storey - 2)) * apart, level + high + thick / 2, std::numbers::pi / 2);
+      level += high + thick;
+    }
+    for (int i = 0; i < 40; ++i) house.step(1.0 / 60);
+    house.remove(cards[taken]);
+    double least_energy = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 180; ++i) {
+      house.step(1.0 / 60);
+      const StepReport<double> report = house.report();
+      const double energy = report.kinetic_energy + report.potential_energy;
+      EXPECT_LT(report.deepest, 0.2) << taken << ", step " << i;
+      EXPECT_LT(energy, least_energy * 1.01) << taken << ", step " << i;
+      least_energy = std::min(least_energy, energy);
+    }
+  }
 }
 
 /// A blade that turns by a radian and more in a step takes balls along and throws them off, wherever it meets them.
