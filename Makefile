@@ -122,7 +122,7 @@ test-lab: lab ## the lab's tests: the lessons' programs, the pages in headless C
 
 # Judges nothing: times on a machine with other work say little, and the browser has no graphics card.
 .PHONY: measure-lab
-measure-lab: lab ## measure the lab in headless Chromium: first drawing, a drag at a quarter of the speed, a thousand boxes
+measure-lab: lab ## measure the lab in headless Chromium: first drawing, a drag, a thousand boxes
 	cd apps/lab && node tests/measure.mjs
 
 .PHONY: lab-pictures

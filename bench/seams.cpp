@@ -39,7 +39,7 @@ void print_table(const Options& options) {
       if (!std::regex_search(name, filter)) continue;
       Faults row;
       std::string at_fault;
-      Random of_row(2);  // so that a row is the same whatever is left out
+      Random of_row(2);  // random numbers of the row alone: it is the same whatever is left out
       for (const Slider<T>& body : bodies) {
         const Faults found =
             lay(floor, body, frame, options.poses, of_row, [&](const Pose<T>& at, T lean, bool touches) {

@@ -109,7 +109,7 @@ struct TouchingPieces {
     ways_out.for_each([&](const Manifold<T>& manifold) { groups.add(manifold); });
   }
 
-  /// Whether the shapes are near enough for a point, which no other body can have.
+  /// Whether the shapes are within the margin and nothing is beside them whose contact it could be.
   bool near_alone() const { return least_distance <= margin && beside.empty(); }
 
   /// Adds the point without which what touches or is near alone would have none.

@@ -20,8 +20,8 @@ struct ArmShifts {
 
   Vec a{}, b{};
 
-  /// Turns the bodies by what `push`, which rows gave them at the arms that they began with, turns more at the shifted
-  /// ones.
+  /// Adds the turning of `push` at the shifted arms beyond that at the arms that rows began with, which the bodies
+  /// have.
   void turn(const Mass& mass_a, const Mass& mass_b, const Vec& push, RowBodies<S, Space>& bodies) const {
     bodies.a.angular -= mass_a.inertia * cross(a, push);
     bodies.b.angular += mass_b.inertia * cross(b, push);
@@ -36,9 +36,9 @@ class CommonPoint {
   CommonPoint(const InverseMassIn<Space>& a, const InverseMassIn<Space>& b) {
     const S zero(0), one(1);
     const auto both = (a.mass > zero) & (b.mass > zero);
-    const S per_mass = select(both, one / select(both, a.mass + b.mass, one), zero);
-    part_a_ = b.mass * per_mass;
-    part_b_ = a.mass * per_mass;
+    const S sum = select(both, a.mass + b.mass, one);
+    part_a_ = select(both, b.mass / sum, zero);
+    part_b_ = select(both, a.mass / sum, zero);
   }
 
   /// The shifts of the arms when B's centre has moved by `gap` against A's.

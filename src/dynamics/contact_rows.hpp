@@ -243,7 +243,7 @@ auto ManifoldRows<S, Space>::solve(std::span<Row> rows, const ContactStep<T>& st
     const Vec held = friction.push(normal);
     const S pushed = solve_normals(rows, step, bias, slides, moved, bodies);
     slides = friction.solve(normal, mass_a, mass_b, rows, touching.material, slow, slides, moved, bodies);
-    // Once for all rows: like their effective masses they are a little off while they push.
+    // Once for all rows: while they push, each knows nothing of the others' shifts.
     moved.turn(mass_a, mass_b, normal * pushed + (friction.push(normal) - held), bodies);
   }
   return slides;

@@ -146,7 +146,7 @@ class FrictionRows<S, Space<S>> {
   }
 
   /// Turns the bodies by the impulses of the last step.
-  void warm_start(const InverseMass<S>& a, const InverseMass<S>& b, Bodies& bodies) const {
+  void turn_by_last(const InverseMass<S>& a, const InverseMass<S>& b, Bodies& bodies) const {
     bodies.a.angular -= spin_ua_ * push_u_ + spin_va_ * push_v_ + spin_na_ * twist_;
     bodies.b.angular += spin_ub_ * push_u_ + spin_vb_ * push_v_ + spin_nb_ * twist_;
     if (bodies.roll) roll(rolling_, a, b, bodies);
@@ -298,7 +298,7 @@ class FrictionRows<S, plane::Space<S>> {
 
   void set_belt(const Vec& normal, const Vec& belt) { belt_ = dot(belt, left(normal)); }
 
-  void warm_start(const Mass& a, const Mass& b, Bodies& bodies) const {
+  void turn_by_last(const Mass& a, const Mass& b, Bodies& bodies) const {
     spin(push_, bodies);
     if (bodies.roll) roll(rolling_, a, b, bodies);
   }

@@ -41,9 +41,10 @@ struct MovingBatch {
           return cast(shape_a, pose_a, a[p.a], shape_b, pose_b, b[p.b], duration, options);
         });
   }
-  bool turns(std::size_t i) const {
+  /// Whether the i-th cast is one of bodies that do not turn, of which every contact counts.
+  bool straight(std::size_t i) const {
     const IdPair p = batch[i];
-    return a[p.a].angular != T(0) || b[p.b].angular != T(0);
+    return options.separating == Separating::hit && a[p.a].angular == T(0) && b[p.b].angular == T(0);
   }
   /// Writes the velocities of a block's pairs; up to a full register the last one is repeated.
   void load(const PairBlock& block, const LoadKernels<T>& kernels, MotionColumns& to) const {
@@ -92,7 +93,7 @@ std::optional<CastHit<T>> hit_at(const CastColumns& found, std::size_t k, T dura
                     0};
 }
 
-/// The casts of the pairs of a chunk: in blocks those that do not turn.
+/// The casts of the pairs of a chunk: in blocks the straight ones.
 template <class T>
 void cast_chunk(const MovingBatch<T>& moving, std::size_t begin, std::size_t end,
                 std::vector<std::optional<CastHit<T>>>& hits) {
@@ -106,7 +107,7 @@ void cast_chunk(const MovingBatch<T>& moving, std::size_t begin, std::size_t end
     }
   };
   for (std::size_t i = begin; i < end; ++i)
-    if (moving.turns(i) || !queues.add(moving.batch, i, cast_kernels().polygons_pay, block))
+    if (!moving.straight(i) || !queues.add(moving.batch, i, cast_kernels().polygons_pay, block))
       hits[i] = moving.contact(i);
   queues.finish(block);
 }

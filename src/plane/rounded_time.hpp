@@ -1,4 +1,6 @@
 // Times of contacts in the scalar of the answer.
+//
+// Guarantee: no answer is later than the time, of those from 0 to infinity.
 #pragma once
 
 #include <bit>

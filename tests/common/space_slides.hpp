@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 #include "graze/world.hpp"
@@ -21,7 +23,7 @@ inline constexpr double most_lean = 1e-3;  ///< of a normal, in radians: more is
 
 using Random = std::mt19937_64;
 inline double uniform(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
+  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
 template <class T>
@@ -288,8 +290,8 @@ std::vector<Slider<T>> sliders(Random& random) {
 
 template <class T>
 Quat<T> random_turn(Random& random) {
-  std::normal_distribution<double> number;
-  return normalized(Quat<T>{T(number(random)), T(number(random)), T(number(random)), T(number(random))});
+  const auto number = [&] { return static_cast<T>(uniform(random, -1, 1)); };
+  return normalized(Quat<T>{number(), number(), number(), number()});
 }
 
 /// A pose in the floor's frame, the lowest point 0.5 to 20 mm below y = 0.

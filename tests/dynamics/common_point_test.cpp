@@ -20,7 +20,7 @@ TYPED_TEST_SUITE(CommonPoint, ScalarsOfPairs);
 constexpr double speed = 10;  // at which two bodies meet
 
 /// How two bodies meet, and whether fast ones are held back.
-struct Meeting {
+struct Encounter {
   double friction;
   bool continuous;
 };
@@ -64,7 +64,7 @@ Change play(Simulation<T, Space>& s) {
 
 /// Boxes, capsules and balls about a metre across that turn and meet off their centres.
 template <class T>
-Change meet_in_space(unsigned seed, const Meeting& meeting) {
+Change meet_in_space(unsigned seed, const Encounter& meeting) {
   std::mt19937 random(seed);
   SimulationSettings<T> free = settings<T>(T(0));
   free.continuous = meeting.continuous;
@@ -88,9 +88,9 @@ Change meet_in_space(unsigned seed, const Meeting& meeting) {
   return play(s);
 }
 
-/// The same in the plane, with polygons too.
+/// The same in the plane.
 template <class T>
-Change meet_in_plane(unsigned seed, const Meeting& meeting) {
+Change meet_in_plane(unsigned seed, const Encounter& meeting) {
   using Vec = plane::Vec2<T>;
   std::mt19937 random(seed);
   plane::SimulationSettings<T> free;
@@ -116,9 +116,9 @@ Change meet_in_plane(unsigned seed, const Meeting& meeting) {
   return play(s);
 }
 
-/// Expects of 200 pairs that those which meet change by no more than `most`.
+/// Expects of 200 pairs that none changes by more than `most`.
 template <class F>
-void expect_kept(const F& meet, const Meeting& meeting, double most) {
+void expect_kept(const F& meet, const Encounter& meeting, double most) {
   int met = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     const Change change = meet(seed, meeting);
@@ -131,7 +131,7 @@ void expect_kept(const F& meet, const Meeting& meeting, double most) {
 /// Without friction nothing but rounding is left of it: of each of 64 steps of some sub-steps.
 TYPED_TEST(CommonPoint, PressingKeepsAngularMomentum) {
   using T = TypeParam;
-  const Meeting smooth{0, false};
+  const Encounter smooth{0, false};
   const double rounding = 1024 * static_cast<double>(std::numeric_limits<T>::epsilon());
   expect_kept(meet_in_space<T>, smooth, rounding);
   expect_kept(meet_in_plane<T>, smooth, rounding);
@@ -141,7 +141,7 @@ TYPED_TEST(CommonPoint, PressingKeepsAngularMomentum) {
 /// sub-step it acts beside the common point.
 TYPED_TEST(CommonPoint, FrictionChangesItByAFewThousandths) {
   using T = TypeParam;
-  const Meeting rough{0.6, false};
+  const Encounter rough{0.6, false};
   expect_kept(meet_in_space<T>, rough, 0.004);
   expect_kept(meet_in_plane<T>, rough, 0.004);
 }

@@ -49,8 +49,8 @@ GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found
 /// Sets `hits[i]` to the first contact of the i-th pair at a time in [0, duration], as `cast` gives it, or to none.
 /// `velocities_a` and `velocities_b` are those of the bodies of `batch.a()` and `batch.b()`: as many as
 /// bodies, or one for all of them. Throws `InvalidValue` for numbers that do not match. With an executor, on its
-/// threads. Cost: of pairs that do not turn, of the kinds that are answered many at a time, a quarter to four fifths of
-/// that of the casts one by one (docs/plane.md); else the same.
+/// threads. Cost: of pairs that do not turn, with `Separating::hit`, of the kinds that are answered many at a time, a
+/// quarter to four fifths of that of the casts one by one (docs/plane.md); else the same.
 template <class T>
 GRAZE_API void cast(const Batch<T>& batch, std::type_identity_t<std::span<const Velocity<T>>> velocities_a,
                     std::type_identity_t<std::span<const Velocity<T>>> velocities_b, std::type_identity_t<T> duration,

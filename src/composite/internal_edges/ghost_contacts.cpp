@@ -442,7 +442,7 @@ bool refuses(const LeafInContext<T>& self, const LeafInContext<T>& other, bool o
   const Vec3<T> outward = of_a ? manifold.normal : -manifold.normal;
   const Vec3<T> point = standing_point<T>(manifold.points, of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
   if (face_along(self, outward) == Vec3<T>{}) {
-    // Of a body in one piece, what is beside it does not tell.
+    // The pieces around are asked below; a body in one piece is none of them.
     if (self.whole.convex() && piece_rises_above(self.piece, self.pose, point, outward)) return true;
     if (neighbour_outside_region(self, point, outward, Among::all)) return true;
   }
@@ -456,7 +456,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
                          T distance) {
   Settled<T> settled{manifold, {}, false};
   Manifold<T>& now = settled.manifold;
-  bool laid_by_mover = false;  // as A
+  bool a_laid_as_mover = false;
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
     if (!is_settled(self, other) || now.points.empty()) continue;
@@ -499,16 +499,16 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
       else
         settled.instead = found;
     }
-    // What one of two surfaces lays anew is asked of the other again.
+    // What B lays anew is asked of A again, and what a mover lays as A, of B.
     if (!of_a && right && is_settled(a, b) && !now.points.empty() && refuses(a, b, true, now)) {
       settled.instead = before;
       now = between_same_pieces(now);
-    } else if (!of_a && !right && laid_by_mover && !now.points.empty() && refuses(b, a, false, now)) {
+    } else if (!of_a && !right && a_laid_as_mover && !now.points.empty() && refuses(b, a, false, now)) {
       settled.instead = manifold;
       settled.instead_is_ghost = true;
       now = between_same_pieces(now);
     }
-    laid_by_mover = of_a && right && is_of_mover(a);
+    a_laid_as_mover = of_a && right && is_of_mover(a);
   }
   return settled;
 }

@@ -1,5 +1,5 @@
-// Casts of pairs that do not turn, a block at a time: of the list's pairs of bounded shapes, and of polygons of few
-// vertices.
+// Casts of pairs that do not turn, of which every contact counts, a block at a time: of the list's pairs of bounded
+// shapes, and of polygons of few vertices.
 //
 // Guarantee: a known answer has the bits of the cast of that pair alone at every level of the instruction set. Shapes
 // that may touch at the start, hits that are next to the end of an edge, and velocities without a direction are not

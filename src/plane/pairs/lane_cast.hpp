@@ -6,6 +6,8 @@
 // its ends. Lanes without that proof, those that may touch at the start among them, are not known.
 #pragma once
 
+#include <limits>
+
 #include "plane/pairs/lane_polygons.hpp"
 
 namespace graze::plane {
@@ -13,9 +15,10 @@ namespace graze::plane {
 /// Room for rounding, relative to sizes and the way between the shapes. Heights of a few products are some 2^-50 off.
 /// A ray this far beside an edge's line does not run along the edge: where it crosses the line is known to 2^-26 too.
 inline constexpr double beside_margin = 0x1p-26;
-/// Shapes further apart than this at the start do not touch by `touching_rounding`, which is 2^-48.
+/// Shapes further apart than this at the start are far from touching by `touching_rounding` (`plane/nearest.hpp`).
 inline constexpr double apart_margin = 0x1p-40;
-/// The least distance of a hit from the ends of its edge or arc, as `end_margin` of `entry_axes.cpp`.
+/// The least distance of a hit from the ends of its edge or arc: where the ray crosses a line is known to
+/// `beside_margin` of the sizes, and 2^7 of that leaves room for rays that run almost along an edge.
 inline constexpr double lane_end_margin = 0x1p-19;
 
 /// The first contact of a pair in A's frame: the way to it along the unit direction, infinite where there is none.

@@ -112,7 +112,7 @@ export const contactSet: Lesson = {
     const { q } = state, answer = ask(q), manifold = answer.manifolds?.[0];
     const steps: Step[] = [{
       title: "An axis for the contacts",
-      text: manifold ? `${sentence(answer.trace.reason ?? answer.trace.winner!)} The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
+      text: manifold ? `${sentence(answer.trace.reason ?? answer.trace.winner ?? "")} The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
         : "They are further apart than the margin: there is no contact. Move B down.",
       numbers: { caption: "Shadows on the axes (units of length)", columns: ["axis", "overlap", "gap"], rows: answer.trace.axes.filter((x) => x.name !== "normal").map((x) => ({ cells: [x.name, x.overlap < 0 ? "" : x.overlap, x.overlap < 0 ? -x.overlap : ""], key: x.name, mark: x.name === answer.trace.winner ? "winner" as const : undefined })) },
       says: manifold ? `Contacts stand on ${answer.trace.winner}.` : "No contact.",

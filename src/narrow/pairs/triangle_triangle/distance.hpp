@@ -371,13 +371,10 @@ auto best_face_axis(const FlatTriangle<Row>& face, const To& to) {
   return best;
 }
 
-}  // namespace detail
-
-/// Number of edges of the smaller triangle up to which its size reaches: a mesh's triangle counts as large as its
-/// distance from the mesh's origin, about which the body is, but not where that is far beside them all.
-inline constexpr double most_edges = 4;
-
-namespace detail {
+/// The size of a triangle, by which faces are preferred to edges, is at most so many times its longest edge. Triangles
+/// of a mesh count as large as their distance from the mesh's origin, about which the body is; where all of them lie
+/// far beside it, that is no size of theirs. A body of a few triangles about its origin reaches no further than this.
+inline constexpr double most_edges_of_size = 4;
 
 template <class Row>
 auto size_of_smaller(const TwoTriangles<Row>& p) {
@@ -385,7 +382,7 @@ auto size_of_smaller(const TwoTriangles<Row>& p) {
   using S = typename RowOf<Row>::Number;
   using T = typename LaneOf<S>::type;
   const S longest = sqrt(least(greatest_of(p.a.squared), greatest_of(p.b.squared)));
-  return least(least(p.size_a, p.size_b), S(T(most_edges)) * longest);
+  return least(least(p.size_a, p.size_b), S(T(most_edges_of_size)) * longest);
 }
 
 }  // namespace detail
