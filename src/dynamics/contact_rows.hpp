@@ -185,7 +185,7 @@ void ManifoldRows<S, Space>::warm_start(std::span<const Row> rows, Bodies& bodie
   bodies.b.linear += push * mass_b.mass;
   bodies.a.angular -= spun_a;
   bodies.b.angular += spun_b;
-  friction.warm_start(mass_a, mass_b, bodies);
+  friction.turn_by_last(mass_a, mass_b, bodies);
   shifts(bodies).turn(mass_a, mass_b, push, bodies);
 }
 
