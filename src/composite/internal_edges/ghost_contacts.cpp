@@ -456,7 +456,8 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
                          T distance) {
   Settled<T> settled{manifold, {}, false};
   Manifold<T>& now = settled.manifold;
-  bool a_laid_as_mover = false;
+  enum class Laid { never, by_a, by_b } laid = Laid::never;  // the last that has laid it anew
+  Manifold<T> accepted;                                      // by A, before B laid it anew
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
     if (!is_settled(self, other) || now.points.empty()) continue;
@@ -499,16 +500,19 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
       else
         settled.instead = found;
     }
-    // What B lays anew is asked of A again, and what a mover lays as A, of B.
-    if (!of_a && right && is_settled(a, b) && !now.points.empty() && refuses(a, b, true, now)) {
-      settled.instead = before;
-      now = between_same_pieces(now);
-    } else if (!of_a && !right && a_laid_as_mover && !now.points.empty() && refuses(b, a, false, now)) {
-      settled.instead = manifold;
-      settled.instead_is_ghost = true;
-      now = between_same_pieces(now);
-    }
-    a_laid_as_mover = of_a && right && is_of_mover(a);
+    if (!right) continue;
+    laid = of_a ? Laid::by_a : Laid::by_b;
+    if (!of_a) accepted = before;
+  }
+  // What B lays anew is asked of A again, and what a mover lays as A, of B.
+  if (now.points.empty()) return settled;
+  if (laid == Laid::by_b && (is_settled(a, b) || is_of_mover(b)) && refuses(a, b, true, now)) {
+    settled.instead = accepted;
+    now = between_same_pieces(now);
+  } else if (laid == Laid::by_a && is_of_mover(a) && refuses(b, a, false, now)) {
+    settled.instead = manifold;
+    settled.instead_is_ghost = true;
+    now = between_same_pieces(now);
   }
   return settled;
 }
