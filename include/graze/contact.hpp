@@ -1,10 +1,10 @@
 // Contact manifolds: the points at which two shapes touch, and how deep.
 //
 // Guarantee: for every point b - a = distance * normal, up to rounding; the normal is a unit vector from A to B; a
-// feature number stays the same while the same features touch, and none repeats within a manifold. The points of a cap
-// (of a cylinder, a cone or a truncated cone) that stands whole on a face reach at least cos(pi / 8) = 0.923 of the
-// cap's radius in every direction, and the whole radius in the direction in which it leans by a milliradian to two
-// degrees; of a rounded one, of its flat part.
+// feature number stays the same while the same features touch (in a manifold of several pieces: and no other piece has
+// the same number), and none repeats within a manifold. The points of a cap (of a cylinder, a cone or a truncated cone)
+// that stands whole on a face reach at least cos(pi / 8) = 0.923 of the cap's radius in every direction, and the whole
+// radius in the direction in which it leans by a milliradian to two degrees; of a rounded one, of its flat part.
 #pragma once
 
 #include <cstdint>

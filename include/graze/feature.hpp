@@ -14,8 +14,8 @@ enum class FeatureKind : std::uint8_t { none, vertex, edge, face };
 
 /// The feature of one shape: half of a contact point's `feature`.
 struct Feature {
-  /// `none` for smooth shapes, which have no features, and for a feature that has the number of another piece's in the
-  /// same manifold: it takes one of its own.
+  /// `none` for smooth shapes, which have no features, and, where a shape has several pieces, for a point whose number
+  /// another piece's point in the same manifold has too: `number` then tells it apart and names no feature.
   FeatureKind kind = FeatureKind::none;
   /// The number of the vertex or the face; for an edge, a code of its own, in the plane the number of its first vertex.
   std::uint32_t number = 0;

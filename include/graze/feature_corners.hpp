@@ -14,8 +14,8 @@ namespace graze {
 
 /// The corners of a feature, in the shape's frame: one for a vertex, two for an edge, those of a face counter-clockwise
 /// seen from outside. Empty for features without corners (caps of cylinders and cones, half-spaces, shapes of the
-/// user's own) and for ambiguous ones. `piece` is the manifold's, for a mesh, a height field or a compound. Costs the
-/// number of edges.
+/// user's own), for ambiguous ones, and for a feature of no kind, as a point has whose number another piece's point has
+/// too. `piece` is the manifold's, for a mesh, a height field or a compound. Costs the number of edges.
 template <class T>
 GRAZE_API SmallVector<Vec3<T>, 8> feature_corners(const Shape<T>& shape, std::uint32_t piece, Feature feature);
 

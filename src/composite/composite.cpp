@@ -4,7 +4,6 @@
 
 #include "composite/leaf_pairs.hpp"
 #include "composite/solid.hpp"
-#include "composite/spanning_points.hpp"
 #include "composite/touching_pieces.hpp"
 #include "narrow/alike_order.hpp"
 #include "narrow/general_contacts.hpp"
@@ -137,7 +136,7 @@ void add_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
   manifold.points.push_back({d.a, d.b, d.distance});
   manifold.status = d.status;
   manifold.error = d.error;
-  groups.add(manifold);
+  groups.add(manifold, {});  // one point
   least_distance = least(least_distance, d.distance);
 }
 
@@ -159,8 +158,7 @@ template <class T>
   if (found.touching() ? !any_as_deep(manifolds, first, found.least_distance + size * shallower<T>)
                        : none && found.near_alone())
     found.add_last_resort();
-  for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
-  found.groups.name_points();
+  found.groups.name_spanning(size);
   return found.least_distance;
 }
 

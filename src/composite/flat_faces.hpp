@@ -42,6 +42,11 @@ class FlatFaces {
   enum class Standing { on_piece, on_face, on_known_face };
   /// Puts the face's contact in place of one that stands on the flat of a piece, the first time.
   Standing stand(const Part<T>& a, const Part<T>& b, Manifold<T>& manifold);
+  /// The leaves that the contact of a pair's face is of: the whole surface and the body.
+  LeafPair leaves_on_face(const Part<T>& a, const Part<T>& b) const {
+    const std::uint32_t body = body_of(a, b).leaf;
+    return surface_is_a_ ? LeafPair{surface_->leaf, body} : LeafPair{body, surface_->leaf};
+  }
 
  private:
   struct Face {

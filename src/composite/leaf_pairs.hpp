@@ -23,14 +23,23 @@ struct Part {
   const Shape<T>& shape;
   const Pose<T>& pose;
   std::uint32_t number = 0;
+  std::uint32_t leaf = 0;  ///< its number among all pieces of the whole shape; 0 for the whole
   bool outermost = true;
   Pushes pushes = Pushes::either_way;   ///< a triangle, or those of an opened surface
   const MeshPatch<T>* patch = nullptr;  ///< of its mesh, if it is a triangle of one
   const MeshData<T>* solid = nullptr;   ///< its mesh, if that is a solid
 
   Part piece(const Shape<T>& child, const Pose<T>& child_pose, std::uint32_t child_number) const {
-    return {child, child_pose, outermost ? child_number : number, false, pushes, nullptr, solid};
+    // Multiples of the golden ratio keep apart (Knuth 1973, "The art of computer programming", volume 3, section 6.4):
+    // pieces of a child with fewer than 2^32 / (sqrt(5) n) of them, n children, have numbers of their own.
+    const std::uint32_t child_leaf = leaf * 2654435769u + child_number + 1;
+    return {child, child_pose, outermost ? child_number : number, child_leaf, false, pushes, nullptr, solid};
   }
+};
+
+/// The leaves of a pair of pieces (`Part::leaf`).
+struct LeafPair {
+  std::uint32_t a = 0, b = 0;
 };
 
 /// The criterion of pairs that are near enough: up to `distance` apart, which may shrink on the way, and with a

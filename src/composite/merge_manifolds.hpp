@@ -1,8 +1,8 @@
 // Manifolds of neighbouring pieces that share a normal become one.
 //
 // Guarantee: each group stands where its first manifold was found and keeps its points in the order found, but for
-// those that coincide with an earlier one on both shapes (a vertex that two triangles share). What is held stays within
-// twice of what is handed out.
+// those that coincide with an earlier one on both shapes (a vertex that two triangles share), of which the lowest pieces
+// give the number. What is held stays within twice of what is handed out.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "composite/point_names.hpp"
+#include "composite/spanning_points.hpp"
 #include "graze/contact.hpp"
 
 namespace graze {
@@ -23,15 +24,20 @@ inline constexpr T same_normal = T(64) * std::numeric_limits<T>::epsilon();
 
 namespace detail {
 
-/// Drops the points that repeat an earlier one. n log n, but for few, which are compared with each other.
+/// Drops the points that repeat an earlier one, which shares its name. n log n, but for few, which are compared with
+/// each other.
 template <class T>
-void keep_different(std::vector<ContactPoint<T>>& points) {
+void keep_different(std::vector<ContactPoint<T>>& points, const PointNames& names) {
   const auto same = [](const ContactPoint<T>& p, const ContactPoint<T>& q) { return p.a == q.a && p.b == q.b; };
   std::size_t kept = 0;
   if (points.size() <= 16) {
     for (const ContactPoint<T>& p : points) {
       const auto end = points.begin() + static_cast<std::ptrdiff_t>(kept);
-      if (std::none_of(points.begin(), end, [&](const ContactPoint<T>& q) { return same(p, q); })) points[kept++] = p;
+      const auto earlier = std::find_if(points.begin(), end, [&](const ContactPoint<T>& q) { return same(p, q); });
+      if (earlier == end)
+        points[kept++] = p;
+      else
+        names.share(*earlier, p);
     }
   } else {
     std::vector<std::uint32_t> order(points.size());
@@ -43,8 +49,11 @@ void keep_different(std::vector<ContactPoint<T>>& points) {
       return i < j;
     });
     std::vector<char> repeats(points.size(), 0);
-    for (std::size_t i = 1; i < order.size(); ++i)
+    for (std::size_t i = 1, earliest = 0; i < order.size(); ++i) {
       repeats[order[i]] = same(points[order[i - 1]], points[order[i]]) ? 1 : 0;
+      if (repeats[order[i]] == 0) earliest = i;
+      names.share(points[order[earliest]], points[order[i]]);
+    }
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!repeats[i]) points[kept++] = points[i];
   }
@@ -90,7 +99,7 @@ void join_status(Manifold<T>& joined, const Manifold<T>& member) {
 
 /// Joins the manifolds from `first` on that share a normal.
 template <class T>
-void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
+void group_by_normal(Manifolds<T>& manifolds, std::size_t first, const PointNames& names) {
   const std::size_t count = manifolds.size() - first;
   if (count < 2) return;
   const std::vector<std::size_t> leader = detail::leaders(std::span<const Manifold<T>>(manifolds).subspan(first));
@@ -116,7 +125,7 @@ void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
         join_status(joined, member);
         for (const ContactPoint<T>& p : member.points) points.push_back(p);
       }
-      detail::keep_different(points);
+      detail::keep_different(points, names);
       joined.points.clear();
       for (const ContactPoint<T>& p : points) joined.points.push_back(p);
     }
@@ -134,9 +143,9 @@ class ManifoldGroups {
   explicit ManifoldGroups(Manifolds<T>& manifolds) : manifolds_(manifolds), first_(manifolds.size()) {}
 
   /// Points have no feature numbers from here on, but places in a list of them, until `name_points`.
-  void add(const Manifold<T>& manifold) {
+  void add(const Manifold<T>& manifold, const LeafPair& leaves) {
     manifolds_.push_back(manifold);
-    names_.take(manifolds_.back());
+    names_.take(manifolds_.back(), leaves);
     held_ += size_of(manifold);
     if (held_ < next_) return;
     finish();
@@ -149,7 +158,13 @@ class ManifoldGroups {
     names_ = std::move(kept);
     next_ = 2 * held_ + few;
   }
-  void finish() { group_by_normal(manifolds_, first_); }
+  void finish() { group_by_normal(manifolds_, first_, names_); }
+  /// Leaves out the points that others span, and gives the points their feature numbers again. Nothing may be added
+  /// after. `size`: of the smaller shape.
+  void name_spanning(T size) {
+    for (std::size_t i = first_; i < manifolds_.size(); ++i) keep_spanning(manifolds_[i], size, names_);
+    name_points();
+  }
   /// Gives the points their feature numbers again. Nothing may be added after.
   void name_points() {
     for (std::size_t i = first_; i < manifolds_.size(); ++i) names_.give(manifolds_[i]);

@@ -1,19 +1,21 @@
 // Feature numbers of points whose manifold is of several pieces.
 //
-// The pieces of a composite number their features each by itself, so that points of several of them may have one number.
-// A solver that carries impulses from frame to frame by these numbers would mix the points up.
+// The pieces of a composite number their features each by itself, so that points of several of them may have one
+// number. A solver that carries impulses from frame to frame by these numbers would mix the points up.
 //
 // Guarantee: no number repeats within a manifold. A number is that of the point's own pieces; where several points have
-// it, the one of the lowest pieces keeps it, and the others have one that follows from it and from their pieces: the
-// same from frame to frame, and mirrored where A and B are swapped. Costs memory for each point that is held.
+// it, the one of the lowest pieces keeps it, and the others have one that follows from it and from their own pieces
+// alone: the same from frame to frame, and mirrored where A and B are swapped. Two that follow to the same number, one
+// pair in 16,384 or fewer, are told apart in the order of their pieces. Costs memory for each point that is held;
+// numbers of up to 64 points of a manifold are told apart without an allocation.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <set>
 #include <tuple>
-#include <vector>
 
+#include "composite/leaf_pairs.hpp"
 #include "graze/contact.hpp"
 #include "graze/small_vector.hpp"
 #include "narrow/manifold/features.hpp"
@@ -23,52 +25,56 @@ namespace graze {
 /// The numbers of points with the pieces that these are of, while the points are joined and left out.
 class PointNames {
  public:
-  /// Takes the numbers of a manifold's points. Each point has its place in the list of names instead, until `give`.
+  /// Takes the numbers of a manifold's points, which are of these pieces. Each point has its place in the list of names
+  /// instead, until `give`.
   template <class T>
-  void take(Manifold<T>& manifold) {
-    for (ContactPoint<T>& p : manifold.points) {
-      names_.push_back({p.feature, manifold.piece_a, manifold.piece_b});
-      p.feature = static_cast<std::uint32_t>(names_.size() - 1);
-    }
+  void take(Manifold<T>& manifold, const LeafPair& leaves) {
+    for (ContactPoint<T>& p : manifold.points) hold({p.feature, leaves}, p);
   }
 
   /// Moves the name of a point over to a list that begins anew.
   template <class T>
   void move_to(PointNames& other, ContactPoint<T>& point) const {
-    other.names_.push_back(names_[point.feature]);
-    point.feature = static_cast<std::uint32_t>(other.names_.size() - 1);
+    other.hold(names_[point.feature], point);
+  }
+
+  /// Names a point for the lower pieces of its own and of those of another at its place.
+  template <class T>
+  void share(ContactPoint<T>& point, const ContactPoint<T>& other) const {
+    if (names_[other.feature].key() < names_[point.feature].key()) point.feature = other.feature;
   }
 
   /// Gives the points their numbers, each of which is single in the manifold.
   template <class T>
   void give(Manifold<T>& manifold) const {
-    std::vector<Named> repeated;
+    List<Named> repeated;
     if (repeats(manifold)) repeated = in_order(manifold);
     for (ContactPoint<T>& p : manifold.points) p.feature = names_[p.feature].feature;
-    if (repeated.empty()) return;
-    std::set<std::uint32_t> taken;
-    for (const Named& named : repeated) taken.insert(named.name.feature);
-    const Name* keeper = nullptr;
-    for (const Named& named : repeated) {
-      if (!keeper || keeper->feature != named.name.feature) {
-        keeper = &named.name;
-        continue;
-      }
-      std::uint32_t tries = 0, number = other_number(named.name, *keeper, tries);
-      while (!taken.insert(number).second) number = other_number(named.name, *keeper, ++tries);
-      manifold.points[named.point].feature = number;
-    }
+    if (!repeated.empty()) tell_apart(repeated, manifold);
   }
 
  private:
+  /// Room for the points of nearly all manifolds.
+  template <class Element>
+  using List = SmallVector<Element, 64>;
   /// A number and the pieces that it is of.
   struct Name {
-    std::uint32_t feature, piece_a, piece_b;
+    std::uint32_t feature;
+    LeafPair leaves;
+    auto key() const { return std::tie(leaves.a, leaves.b, feature); }
   };
   struct Named {
     Name name;
-    std::size_t point;
+    std::uint32_t point;
+    std::uint32_t number = 0;  ///< another one, if it is to have one
+    auto key() const { return std::tie(name.feature, name.leaves.a, name.leaves.b, point); }
   };
+
+  template <class T>
+  void hold(const Name& name, ContactPoint<T>& point) {
+    names_.push_back(name);
+    point.feature = static_cast<std::uint32_t>(names_.size() - 1);
+  }
 
   template <class T>
   bool repeats(const Manifold<T>& manifold) const {
@@ -76,8 +82,7 @@ class PointNames {
     const auto number = [&](const ContactPoint<T>& p) { return names_[p.feature].feature; };
     const auto& points = manifold.points;
     if (points.size() > few) {
-      std::vector<std::uint32_t> numbers;
-      numbers.reserve(points.size());
+      List<std::uint32_t> numbers;
       for (const ContactPoint<T>& p : points) numbers.push_back(number(p));
       std::sort(numbers.begin(), numbers.end());
       return std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end();
@@ -90,31 +95,62 @@ class PointNames {
 
   /// The points' names by number, of one number by pieces.
   template <class T>
-  std::vector<Named> in_order(const Manifold<T>& manifold) const {
-    std::vector<Named> named;
-    named.reserve(manifold.points.size());
-    for (std::size_t i = 0; i < manifold.points.size(); ++i) named.push_back({names_[manifold.points[i].feature], i});
-    const auto key = [](const Named& n) { return std::tie(n.name.feature, n.name.piece_a, n.name.piece_b, n.point); };
-    std::sort(named.begin(), named.end(), [&](const Named& n, const Named& m) { return key(n) < key(m); });
+  List<Named> in_order(const Manifold<T>& manifold) const {
+    List<Named> named;
+    for (const ContactPoint<T>& p : manifold.points)
+      named.push_back({names_[p.feature], static_cast<std::uint32_t>(named.size())});
+    std::sort(named.begin(), named.end(), [](const Named& n, const Named& m) { return n.key() < m.key(); });
     return named;
   }
 
-  /// Half of a number for a feature of a piece. It is of no kind: whose corners it has, the manifold's piece cannot tell.
-  static std::uint32_t half_of_piece(std::uint32_t half, std::uint32_t piece, std::uint32_t tries) {
+  /// Gives all but the first of each number, in order, another one that nobody has. Several that try one number have it
+  /// in the order of their pieces: the first, and the others try again.
+  template <class T>
+  static void tell_apart(const List<Named>& in_order, Manifold<T>& manifold) {
+    List<std::uint32_t> taken;
+    List<Named> waiting;
+    for (const Named& n : in_order)
+      if (taken.empty() || taken.back() != n.name.feature)
+        taken.push_back(n.name.feature);
+      else
+        waiting.push_back(n);
+    for (std::uint32_t tries = 0; !waiting.empty(); ++tries) {
+      for (Named& n : waiting) n.number = other_number(n.name, tries);
+      std::sort(waiting.begin(), waiting.end(), [](const Named& n, const Named& m) {
+        return n.number != m.number ? n.number < m.number : n.key() < m.key();
+      });
+      const std::size_t taken_before = taken.size();
+      std::size_t left = 0;
+      for (const Named& n : waiting) {
+        const bool had = std::binary_search(taken.begin(), taken.begin() + taken_before, n.number) ||
+                         (taken.size() > taken_before && taken.back() == n.number);
+        if (had) {
+          waiting[left++] = n;
+          continue;
+        }
+        taken.push_back(n.number);
+        manifold.points[n.point].feature = n.number;
+      }
+      waiting.truncate(left);
+      if (left > 0) std::sort(taken.begin(), taken.end());
+    }
+  }
+
+  /// Half of a number for a feature of a piece. It is of no kind, since the manifold's piece is another one.
+  static std::uint32_t half_of_piece(std::uint32_t half, std::uint32_t leaf, std::uint32_t tries) {
     // A multiplication by the golden ratio spreads neighbouring pieces over the range: Knuth 1973, "The art of computer
     // programming", volume 3, section 6.4.
-    const std::uint32_t spread = (half + (piece << 16) + (piece >> 16) + tries * 0x10001u) * 2654435769u;
+    const std::uint32_t spread = (half + (leaf << 16) + (leaf >> 16) + tries * 0x10001u) * 2654435769u;
     return detail::feature_of_kind(0, spread >> (32 - detail::feature_number_bits));
   }
 
-  /// Another number for a point than the one that `keeper` has too: the halves of pieces that differ change; both where
-  /// none does, and in further tries, as those that have one half in common may be more than a half can tell apart.
-  static std::uint32_t other_number(const Name& name, const Name& keeper, std::uint32_t tries) {
-    const bool differs_a = name.piece_a != keeper.piece_a, differs_b = name.piece_b != keeper.piece_b,
-               both = tries > 0 || (!differs_a && !differs_b);
-    const std::uint32_t a = name.feature >> 16, b = name.feature & 0xffff;
-    return feature_id(both || differs_a ? half_of_piece(a, name.piece_a, tries) : a,
-                      both || differs_b ? half_of_piece(b, name.piece_b, tries) : b);
+  /// Another number for a point, from its own pieces. The half of a shape in one piece stays; in further tries both
+  /// change, as those that have one half in common may be more than a half can tell apart.
+  static std::uint32_t other_number(const Name& name, std::uint32_t tries) {
+    const auto half = [tries](std::uint32_t own, std::uint32_t leaf) {
+      return leaf == 0 && tries == 0 ? own : half_of_piece(own, leaf, tries);
+    };
+    return feature_id(half(name.feature >> 16, name.leaves.a), half(name.feature & 0xffff, name.leaves.b));
   }
 
   SmallVector<Name, 32> names_;  ///< room for those of most pairs

@@ -1,12 +1,14 @@
 // The points of a manifold that span it.
 //
 // Guarantee: every point that is left out lies between others that are as deep there: inside their hull or on its edge,
-// across the normal, or at the same place. What is pushed out at those is pushed out at it.
+// across the normal, or at the same place. What is pushed out at those is pushed out at it. A point has the number of the
+// lowest pieces of those at its place.
 #pragma once
 
 #include <algorithm>
 
 #include "composite/internal_edges/leaf_in_context.hpp"
+#include "composite/point_names.hpp"
 #include "graze/contact.hpp"
 #include "graze/result.hpp"
 #include "graze/small_vector.hpp"
@@ -98,20 +100,36 @@ FlatPoints<T> hull_of(const FlatPoints<T>& points, T noise) {
   return hull;
 }
 
-/// Unmarks, in `keep`, points of `inner` that are at the place of an earlier one and as deep, but for `noise`: those of
-/// an edge that both of its triangles find.
-template <class T>
-void leave_out_repeats(FlatPoints<T>& inner, T noise, SmallVector<char, 16>& keep) {
+/// Calls `f(i, j)` for the indices of points that are at one place and as deep, but for `noise`. Sorts the points.
+template <class T, class F>
+void each_repeat(FlatPoints<T>& points, T noise, const F& f) {
   // Sorted along a direction that no model is built along, so that points near each other there are few.
   const auto along = [](const FlatPoint<T>& p) { return p.x * T(0.6079) + p.y * T(0.7940); };
-  std::sort(inner.begin(), inner.end(), [&](const auto& p, const auto& q) { return along(p) < along(q); });
-  for (std::size_t i = 0; i < inner.size(); ++i)
-    for (std::size_t j = i + 1; j < inner.size() && along(inner[j]) - along(inner[i]) <= T(2) * noise; ++j) {
-      const FlatPoint<T>&p = inner[i], &q = inner[j];
+  std::sort(points.begin(), points.end(), [&](const auto& p, const auto& q) { return along(p) < along(q); });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size() && along(points[j]) - along(points[i]) <= T(2) * noise; ++j) {
+      const FlatPoint<T>&p = points[i], &q = points[j];
       using std::abs;
       if (abs(p.x - q.x) <= noise && abs(p.y - q.y) <= noise && abs(p.distance - q.distance) <= noise)
-        keep[greatest(p.index, q.index)] = 0;
+        f(p.index, q.index);
     }
+}
+
+/// Unmarks, in `keep`, points of `inner` that repeat an earlier one: those of an edge that both of its triangles find.
+template <class T>
+void leave_out_repeats(FlatPoints<T>& inner, T noise, SmallVector<char, 16>& keep) {
+  each_repeat(inner, noise, [&](std::size_t i, std::size_t j) { keep[greatest(i, j)] = 0; });
+}
+
+/// Gives the marked points the lowest name of the points that they stand for: which of these rounding has marked is
+/// not to change it. Sorts the points.
+template <class T>
+void share_names(FlatPoints<T>& points, T noise, const SmallVector<char, 16>& keep, const PointNames& names,
+                 Manifold<T>& manifold) {
+  each_repeat(points, noise, [&](std::size_t i, std::size_t j) {
+    if (keep[i] != 0 && keep[j] == 0) names.share(manifold.points[i], manifold.points[j]);
+    if (keep[j] != 0 && keep[i] == 0) names.share(manifold.points[j], manifold.points[i]);
+  });
 }
 
 }  // namespace detail
@@ -131,9 +149,10 @@ bool join_at_one_place(Manifold<T>& manifold, T most_merged) {
   return true;
 }
 
-/// Leaves out the points that others span. `size`: of the smaller shape. Costs n log n, but for contrived points.
+/// Leaves out the points that others span. `size`: of the smaller shape; `names`: in which the points have theirs.
+/// Costs n log n, but for contrived points.
 template <class T>
-void keep_spanning(Manifold<T>& manifold, T size) {
+void keep_spanning(Manifold<T>& manifold, T size, const PointNames& names) {
   if (manifold.points.size() < 2) return;
   if (join_at_one_place(manifold, tolerance<T> * size + place_noise(manifold.points[0].a))) return;
   if (manifold.points.size() < 3) return;
@@ -178,6 +197,8 @@ void keep_spanning(Manifold<T>& manifold, T size) {
       keep[p.index] = 1;
     }
   detail::leave_out_repeats(inner, noise, keep);
+  if (std::count(keep.begin(), keep.end(), 1) == static_cast<std::ptrdiff_t>(flat.size())) return;
+  detail::share_names(flat, noise, keep, names, manifold);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < manifold.points.size(); ++i)
     if (keep[i] != 0) manifold.points[kept++] = manifold.points[i];

@@ -106,7 +106,7 @@ struct TouchingPieces {
 
   /// Adds the ways out of solid meshes.
   void add_ways_out() {
-    ways_out.for_each([&](const Manifold<T>& manifold) { groups.add(manifold); });
+    ways_out.for_each([&](const Manifold<T>& manifold, const LeafPair& leaves) { groups.add(manifold, leaves); });
   }
 
   /// Whether the shapes are within the margin and nothing is beside them whose contact it could be.
@@ -125,7 +125,7 @@ struct TouchingPieces {
       name_pieces(ghost->manifold, pa, pb);
       instead = settled(pa, pb, ghost->distance, ghost->manifold).instead;
     }
-    if (!instead.points.empty()) groups.add(instead);
+    if (!instead.points.empty()) groups.add(instead, {});  // the points of one pair
   }
 
   /// Whether the shapes are known to touch.
@@ -243,8 +243,10 @@ struct TouchingPieces {
     keep_instead(taken, distance, nearest);
     if (nearest) ghost.reset();
     if (taken.behind || taken.manifold.points.empty()) return;
-    if (faces.stand(pa, pb, taken.manifold) == FlatFaces<T>::Standing::on_known_face) return;
-    groups.add(taken.manifold);
+    const auto standing = faces.stand(pa, pb, taken.manifold);
+    if (standing == FlatFaces<T>::Standing::on_known_face) return;
+    const bool on_face = standing == FlatFaces<T>::Standing::on_face;
+    groups.add(taken.manifold, on_face ? faces.leaves_on_face(pa, pb) : LeafPair{pa.leaf, pb.leaf});
   }
 };
 

@@ -49,6 +49,7 @@ bool WaysOut<T>::leads_out(const Part<T>& body, const Part<T>& triangle, bool bo
   manifold.piece_a = body_is_a ? body.number : triangle.number;
   manifold.piece_b = body_is_a ? triangle.number : body.number;
   way.manifold = manifold;
+  way.leaves = body_is_a ? LeafPair{body.leaf, triangle.leaf} : LeafPair{triangle.leaf, body.leaf};
   return true;
 }
 

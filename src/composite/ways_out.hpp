@@ -22,11 +22,11 @@ class WaysOut {
   /// sunk into it. `body_is_a`: whether `body` is a piece of A.
   bool leads_out(const Part<T>& body, const Part<T>& triangle, bool body_is_a, T margin);
 
-  /// Calls `f(manifold)` for the least way out of each body.
+  /// Calls `f(manifold, leaves)` for the least way out of each body.
   template <class F>
   void for_each(const F& f) const {
     for (const Way& way : ways_)
-      if (!way.manifold.points.empty()) f(way.manifold);
+      if (!way.manifold.points.empty()) f(way.manifold, way.leaves);
   }
 
  private:
@@ -36,6 +36,7 @@ class WaysOut {
     bool inside = false;
     T distance = -std::numeric_limits<T>::infinity();  ///< minus the way's length
     Manifold<T> manifold{};
+    LeafPair leaves{};
   };
 
   Way& way_of(const Part<T>& body, const Part<T>& triangle);

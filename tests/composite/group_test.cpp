@@ -27,7 +27,7 @@ TEST(ManifoldGroups, JoinsGoThroughAFewTimesAsManyPointsAsThereAre) {
   std::size_t joins = 0, points_gone_through = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t before = manifolds.size();
-    groups.add(scattered_manifold(i));
+    groups.add(scattered_manifold(i), {});
     if (manifolds.size() > before) continue;
     ++joins;
     points_gone_through += 4 * (i + 1);
