@@ -1,8 +1,8 @@
 // Manifolds of neighbouring pieces that share a normal become one.
 //
 // Guarantee: each group stands where its first manifold was found and keeps its points in the order found, but for
-// those that coincide with an earlier one on both shapes (a vertex that two triangles share), of which the lowest pieces
-// give the number. What is held stays within twice of what is handed out.
+// those that coincide with an earlier one on both shapes (a vertex that two triangles share), of which the lowest
+// pieces give the number. What is held stays within twice of what is handed out.
 #pragma once
 
 #include <algorithm>

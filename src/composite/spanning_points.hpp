@@ -1,8 +1,8 @@
 // The points of a manifold that span it.
 //
 // Guarantee: every point that is left out lies between others that are as deep there: inside their hull or on its edge,
-// across the normal, or at the same place. What is pushed out at those is pushed out at it. A point has the number of the
-// lowest pieces of those at its place.
+// across the normal, or at the same place. What is pushed out at those is pushed out at it. A point has the number of
+// the lowest pieces of those at its place.
 #pragma once
 
 #include <algorithm>
