@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 11745778448758669017u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 14504199154249031872u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 5448761174540377541u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 218570126030957386u;
 
 template <class T>
 class MovingRun {

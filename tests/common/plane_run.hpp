@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 17816497503921520063u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 17994806135336713215u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 2857886060560834831u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 12462999677337621280u;
 
 }  // namespace graze::testing
 
