@@ -304,8 +304,13 @@ Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<con
 }
 
 /// The rounds of casts that a step takes at most. Each holds back those behind whom the one before has held back: a
-/// crowd that moves as one has as many as it is deep, and what is left after these sinks into each other.
+/// crowd that moves as one has as many as it is deep, and what is left after these sinks into each other. In the plane
+/// nothing gives way to the side: what is held there by round after round is pressed the deeper by what comes behind,
+/// of a thousand random scenes in seven by more than half of its size, and one round holds back.
+template <class Space>
 constexpr int most_rounds = 16;
+template <class T>
+constexpr int most_rounds<plane::Space<T>> = 1;
 /// The part of a body's way in a step beyond which a further round holds it back no more: those that stand in touch
 /// where the last round left them meet at the very end of their ways, up to rounding.
 template <class T>
@@ -382,7 +387,7 @@ void SimulationParts<T, Space>::hold_back(T dt) {
   const std::vector<std::uint32_t> fast = fast_bodies(*this, dt);
   if (fast.empty()) return;
   Rounds<T, Space> rounds{*this, dt, fast, mean_velocities(*this, dt)};
-  for (int round = 0; round < most_rounds && rounds.hold(round == 0 ? dt : dt * worth_a_round<T>); ++round) {
+  for (int round = 0; round < most_rounds<Space> && rounds.hold(round == 0 ? dt : dt * worth_a_round<T>); ++round) {
   }
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!(rounds.ends[i] < dt)) continue;

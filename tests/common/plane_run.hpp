@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 17994806135336713215u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 17694013805996441923u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 12462999677337621280u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 3352388161079600128u;
 
 }  // namespace graze::testing
 

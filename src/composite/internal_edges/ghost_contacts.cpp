@@ -506,7 +506,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
   }
   // What B lays anew is asked of A again, and what a mover lays as A, of B.
   if (now.points.empty()) return settled;
-  if (laid == Laid::by_b && (is_settled(a, b) || is_of_mover(b)) && refuses(a, b, true, now)) {
+  if (laid == Laid::by_b && is_settled(a, b) && refuses(a, b, true, now)) {
     settled.instead = accepted;
     now = between_same_pieces(now);
   } else if (laid == Laid::by_a && is_of_mover(a) && refuses(b, a, false, now)) {
