@@ -2,11 +2,12 @@
 // mass.
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
-// the contact. What comes behind it is cast again, since it now meets one that stands. `World::find_impacts` casts both of two that move, turning included, so that rods do not pass posts nor
-// bullets each other. A body that something fast strikes which no blow stops, a kinematic one, is carried along by it
-// to the end of the step. Bodies that hard joints hold together are held back together, at the first contact that any
-// of them makes: alone it would be torn off the others, which gives them energy when they pull it back. A body that
-// lies on something is held back together with the body that strikes it and would push it in.
+// the contact. What comes behind it is cast again, as it meets one that stands. `World::find_impacts` casts both of two
+// that move, turning included, so that rods do not pass posts nor bullets each other. A body that something fast
+// strikes which no blow stops, a kinematic one, is carried along by it to the end of the step. Bodies that hard joints
+// hold together are held back together, at the first contact that any of them makes: alone it would be torn off the
+// others, which gives them energy when they pull it back. A body that lies on something is held back together with the
+// body that strikes it and would push it in.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -261,8 +262,8 @@ struct Meetings {
   std::vector<std::uint8_t> pushed;  ///< by contacts or joints, in this step
 };
 
-/// Casts the bodies whose ways are new. The fast ones are held back by what they meet before `until`, and what they meet
-/// by those that cannot be.
+/// Casts the bodies whose ways are new. The fast ones are held back by what they meet before `until`, and what they
+/// meet by those that cannot be.
 template <class T, class Space>
 Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<const std::uint32_t> fast,
                                  std::span<const std::uint32_t> anew, std::span<const typename Space::Velocity> mean,
