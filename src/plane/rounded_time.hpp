@@ -3,7 +3,6 @@
 // Guarantee: no answer is later than the time, of those from 0 to infinity.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <type_traits>
 
@@ -15,7 +14,8 @@ template <class T>
 T rounded_down(double t) {
   using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
   const T rounded = static_cast<T>(t);
-  return std::bit_cast<T>(std::bit_cast<Bits>(rounded) - static_cast<Bits>(double(rounded) > t ? 1 : 0));
+  // The compiler's own, as not every standard library has `std::bit_cast`.
+  return __builtin_bit_cast(T, __builtin_bit_cast(Bits, rounded) - static_cast<Bits>(double(rounded) > t ? 1 : 0));
 }
 
 }  // namespace graze::plane
