@@ -102,7 +102,7 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
   if (d.distance > margin) return d.distance;
   if (points.known != 0) {
     manifold.normal = converted<T>(points.normal);
-    const auto slot = [&](std::size_t i) {
+    const auto slot = [&points = points](std::size_t i) {
       const ContactSlot<double> of = points.slot(i);
       return ContactSlot<T>{converted<T>(of.a), converted<T>(of.b), static_cast<T>(of.distance),
                             static_cast<T>(of.part_a), static_cast<T>(of.part_b)};
