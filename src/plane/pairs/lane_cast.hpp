@@ -83,7 +83,8 @@ template <class S, std::size_t N, std::size_t M>
 [[gnu::always_inline]] inline LaneEntry<S> last_entry(const LanePolygons<S, N, M>& pair, const Vec2<S>& direction,
                                                       const S& radius, const S& clear) {
   LaneEntry<S> out;
-  const auto &a = pair.a, &b = pair.b;
+  const auto& a = pair.a;
+  const auto& b = pair.b;
   const bool rounded = any(radius > S(0));
   const auto moved = [&](const S& height, const Vec2<S>& e) __attribute__((always_inline)) {
     return rounded ? height - radius * sqrt(length_squared(e)) : height;
