@@ -201,7 +201,7 @@ S ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactStep<T
   const Vec turned_a = turned_back_by(bodies.place_a.turned, normal);
   const Vec turned_b = turned_back_by(bodies.place_b.turned, normal);
   const Mask bounces = touching.material.restitution > zero;
-  // What rows push moves the centres along the normal alone, which is one number until all have pushed.
+  // Rows push the centres along the normal alone: their parting is one number until all have pushed.
   const S yields_to_push = mass_a.mass + mass_b.mass;
   S parting_centers = parting_of_centers(bodies), pushed = zero;
   for (Row& r : rows) {

@@ -259,22 +259,21 @@ template <class T, class Space>
 struct Meetings {
   std::vector<Meeting<T, Space>> first;
   std::vector<T> ends;
-  std::vector<std::uint8_t> pushed;  ///< by contacts or joints, in this step
 };
 
 /// Casts the bodies whose ways are new. The fast ones are held back by what they meet before `until`, and what they
-/// meet by those that cannot be.
+/// meet by those that cannot be. `pushed`: by contacts or joints, in this step; a sleeper that is struck becomes so.
 template <class T, class Space>
 Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<const std::uint32_t> fast,
                                  std::span<const std::uint32_t> anew, std::span<const typename Space::Velocity> mean,
-                                 T dt, T until) {
+                                 std::span<std::uint8_t> pushed, T dt, T until) {
   const std::size_t count = parts.bodies.size();
   std::vector<std::uint8_t> is_fast(count, 0);
   for (const std::uint32_t i : fast) is_fast[i] = 1;
   for (const std::uint32_t i : anew) parts.world.set_fast(parts.world.bodies().id(i), true);
   parts.world.find_impacts(dt);
   for (const std::uint32_t i : anew) parts.world.set_fast(parts.world.bodies().id(i), false);
-  Meetings<T, Space> found{{count, Meeting<T, Space>{dt}}, std::vector<T>(count, dt), pushed_bodies(parts)};
+  Meetings<T, Space> found{{count, Meeting<T, Space>{dt}}, std::vector<T>(count, dt)};
   std::vector<Meeting<T, Space>> driven(found.first);  // with what is fast and cannot be held back
   for (const Impact<T, Space>& impact : parts.world.impacts()) {
     if (impact.trigger) continue;
@@ -292,13 +291,13 @@ Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<con
     if (!(found.first[i].time < dt)) continue;
     found.ends[i] = found.first[i].time;
     const std::uint32_t striking = found.first[i].other;
-    if (found.pushed[i] != 0 && parts.bodies[striking].movable) found.ends[striking] = found.first[striking].time;
+    if (pushed[i] != 0 && parts.bodies[striking].movable) found.ends[striking] = found.first[striking].time;
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!(driven[i].time < found.ends[i])) continue;
     found.first[i] = driven[i];
     found.ends[i] = driven[i].time;
-    found.pushed[i] |= static_cast<std::uint8_t>(parts.bodies[i].asleep);  // what sleeps did not fall
+    pushed[i] |= static_cast<std::uint8_t>(parts.bodies[i].asleep);  // what sleeps did not fall
     if (parts.bodies[i].asleep) parts.wake_around(i);
   }
   return found;
@@ -331,11 +330,12 @@ struct Rounds {
   std::vector<T> ends = std::vector<T>(mean.size(), dt);
   std::vector<Pose> at = std::vector<Pose>(mean.size());
   std::vector<HeldBody<Space>> held = std::vector<HeldBody<Space>>(mean.size());
+  std::vector<std::uint8_t> pushed = pushed_bodies(parts);  ///< by contacts or joints, in this step
 
   /// Casts the bodies whose ways are new and ends the ways of those that meet something before `until`. Returns whether
   /// there are any.
   bool hold(T until) {
-    auto [first, stops, pushed] = find_meetings<T, Space>(parts, fast, anew, mean, dt, until);
+    auto [first, stops] = find_meetings<T, Space>(parts, fast, anew, mean, pushed, dt, until);
     anew.clear();
     if (std::none_of(stops.begin(), stops.end(), [&](T stop) { return stop < dt; })) return false;
     const std::size_t count = mean.size();
@@ -347,7 +347,7 @@ struct Rounds {
     for (std::uint32_t i = 0; i < count; ++i)
       if (stops[i] < dt && joined[i] == 0 && !goes_on(i)) carried[i] = carried_by(i, first[i], stops);
     for (std::uint32_t i = 0; i < count; ++i)
-      if (stops[i] < dt) end(i, stops[i], carried[i], first[i].other, joined[i] != 0, pushed[i] != 0);
+      if (stops[i] < dt) end(i, stops[i], carried[i], first[i].other, joined[i] != 0);
     return true;
   }
 
@@ -368,13 +368,13 @@ struct Rounds {
   }
 
   /// Ends a body's way at `stop`, and carries it.
-  void end(std::uint32_t i, T stop, const Vec& carried, std::uint32_t other, bool joined, bool pushed) {
+  void end(std::uint32_t i, T stop, const Vec& carried, std::uint32_t other, bool joined) {
     const T part = stop / dt;
     at[i] = pose_at(parts.found_at[i], mean[i], stop);
     at[i].translation += carried;
     const bool touched = met<T, Space>(parts.world.contacts(), i, other) != nullptr;
     anew.push_back(i);
-    held[i] = {joined, held[i].pushed || pushed, held[i].touched || touched, held[i].carried_by * part + carried};
+    held[i] = {joined, pushed[i] != 0, held[i].touched || touched, held[i].carried_by * part + carried};
     ends[i] = ends[i] < dt ? ends[i] * part : stop;
     mean[i] = {mean[i].linear * part + carried / dt, mean[i].angular * part};
     parts.world.move(parts.world.bodies().id(i), parts.found_at[i], mean[i].linear, mean[i].angular);

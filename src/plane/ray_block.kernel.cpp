@@ -1,6 +1,7 @@
 #include "plane/ray_block.hpp"
 
 #include "plane/outline_hit.hpp"
+#include "plane/unit_rotation.hpp"
 #include "simd/lanes.hpp"
 
 namespace graze::GRAZE_ISA {
@@ -59,7 +60,7 @@ struct Front {
             to_x = S::load(rays.direction_x + i), to_y = S::load(rays.direction_y + i);
     // The operations of `unit_vector`.
     const S square = to_x * to_x + to_y * to_y;
-    const Mask sound = (square >= S(0x1p-900)) & (square <= S(0x1p900));
+    const Mask sound = (square >= S(least_plain_square)) & (square <= S(most_plain_square));
     const S length = sqrt(square), direction_x = to_x / length, direction_y = to_y / length;
     const S from_x = origin_x - at_x, from_y = origin_y - at_y;
     const S x = cosine * from_x + sine * from_y, y = cosine * from_y - sine * from_x;

@@ -27,10 +27,13 @@ template <class T>
   return {converted<double>(pose.translation), at_unit(converted<double>(pose.rotation))};
 }
 
+/// Squares of lengths by which `unit_vector` divides as they are: those of all floats but zero.
+inline constexpr double least_plain_square = 0x1p-900, most_plain_square = 0x1p900;
+
 /// `normalized`, inlined for lengths whose squares doubles hold, as those of all floats.
 [[gnu::always_inline]] inline Vec2d unit_vector(const Vec2d& v, const Vec2d& fallback) {
   const double square = length_squared(v);
-  if (!(square >= 0x1p-900 && square <= 0x1p900)) return normalized(v, fallback);
+  if (!(square >= least_plain_square && square <= most_plain_square)) return normalized(v, fallback);
   return v / std::sqrt(square);
 }
 

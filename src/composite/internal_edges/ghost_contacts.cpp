@@ -457,11 +457,11 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
   Settled<T> settled{manifold, {}, false};
   Manifold<T>& now = settled.manifold;
   enum class Laid { never, by_a, by_b } laid = Laid::never;  // the last that has laid it anew
-  Manifold<T> accepted;                                      // by A, before B laid it anew
+  Manifold<T> accepted;                                      // by A, before B is asked
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
     if (!is_settled(self, other) || now.points.empty()) continue;
-    const Manifold<T> before = now;
+    if (!of_a) accepted = now;
     const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
     const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
     Manifold<T> found;
@@ -500,11 +500,9 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
       else
         settled.instead = found;
     }
-    if (!right) continue;
-    laid = of_a ? Laid::by_a : Laid::by_b;
-    if (!of_a) accepted = before;
+    if (right) laid = of_a ? Laid::by_a : Laid::by_b;
   }
-  // What B lays anew is asked of A again, and what a mover lays as A, of B.
+  // A is asked again of what B lays anew, and B of what a mover lays as A.
   if (now.points.empty()) return settled;
   if (laid == Laid::by_b && is_settled(a, b) && refuses(a, b, true, now)) {
     settled.instead = accepted;

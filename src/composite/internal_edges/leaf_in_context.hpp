@@ -105,7 +105,7 @@ template <class T>
 T place_noise(const Vec3<T>& place, const Vec3<T>& local) {
   return greatest(place_noise(place), place_noise(local));
 }
-/// That of a place of the world on a piece, in whose frame it is seen.
+/// The rounding error of a place of the world that is seen in the frame of a piece.
 template <class T>
 T place_noise(const LeafInContext<T>& self, const Vec3<T>& place) {
   return place_noise(place, inverse_transform(self.pose, place));

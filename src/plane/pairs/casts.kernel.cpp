@@ -15,9 +15,6 @@ using plane_answers::put_truth;
 
 using Beside = Lanes<double>;
 
-/// The squares of speeds of which `unit_vector` takes no other way, as those of all floats that are not zero.
-constexpr double least_square = 0x1p-900, most_square = 0x1p900;
-
 /// A polygon at the place from which it moves, without negative zeros, as a cast alone has it.
 template <std::size_t N>
 [[gnu::always_inline]] inline LanePolygon<Beside, N> at_start(LanePolygon<Beside, N> polygon) {
@@ -36,7 +33,8 @@ template <std::size_t N, std::size_t M>
   const Beside square = length_squared(of_b_in_a), speed = sqrt(square);
   const LaneContact<Beside> found = straight_contact_in_lanes(pair, of_b_in_a / speed);
   const Beside t = found.way / speed;
-  put_truth<Beside>(out.known, first, found.known & (square >= Beside(least_square)) & (square <= Beside(most_square)));
+  put_truth<Beside>(out.known, first,
+                    found.known & (square >= Beside(least_plain_square)) & (square <= Beside(most_plain_square)));
   put(out.t, first, t);
   put(out.normal, first, rotate(pair.pose_a.rotation, found.normal));
   put(out.point, first, pair.pose_a.translation + of_a * t + rotate(pair.pose_a.rotation, found.point));

@@ -29,7 +29,7 @@ struct LaneContact {
   Vec2<S> normal, point;  ///< unit, from A to B; on A's surface
 };
 
-/// Where the vertices of the difference lie beside the ray.
+/// The sides of the ray on which the vertices of the difference lie.
 template <class S, std::size_t N, std::size_t M>
 struct LaneSides {
   using Mask = decltype(S(0) < S(0));
@@ -305,7 +305,7 @@ template <class S, std::size_t N, std::size_t M>
     out.way = infinite;
     take_disc(pair.a.vertex[0], pair.b.vertex[0], sides.crosses & !missed & (along > zero));
   } else {
-    // Of an edge's height times its length.
+    // Heights are times the length of an edge, which is at most four sizes.
     const LaneEntry<S> entry = last_entry(pair, direction, radius, least_height * scale * S(4));
     missed = missed | entry.leaves;
     LaneSwept<S> e(entry);
@@ -326,7 +326,7 @@ template <class S, std::size_t N, std::size_t M>
     out.normal = hit.normal;
     const S along = dot(direction * hit.way - hit.start, e.edge) / length_squared(e.edge);
     out.point = select(e.of_a, e.from + e.edge * along, e.vertex);
-    const auto before = hit.at<-margin(), behind = hit.at> hit.length + margin();
+    const auto before = (hit.at < -margin()), behind = (hit.at > hit.length + margin());
     const auto on_arc = wanted & (radius > zero) & (before | behind);
     if (any(on_arc))
       take_disc(select(before, e.first_a(), e.last_a()), select(before, e.first_b(), e.last_b()), on_arc);

@@ -346,7 +346,7 @@ TriangleDistance<S> triangle_distance(const PlacedTriangle<S>& of_a, const Place
 template <class S>
 struct TriangleAxes {
   TriangleAxis<S> face, edge;
-  S smaller;  ///< size of the smaller triangle: see `most_edges`
+  S smaller;  ///< size of the smaller triangle: see `most_edges_of_size`
   S noise;    ///< rounding of a separation
 
   TriangleAxes times(const S& unit) const {

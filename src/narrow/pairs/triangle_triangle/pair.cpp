@@ -118,7 +118,7 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
     return d.distance;
   }
   TriangleAxes<double> back = mirrored_axes(axes);
-  // Of two axes that are equally good, rounding takes another one in the other order, which is the one that counts.
+  // Rounding takes another of two equally good axes in the other order, which is the one that counts.
   if (std::abs(axes.face.separation - axes.edge.separation) <= axes.noise) back = kernel_contacts(b, a, margin).axes;
   contacts_by_faces(b, a, margin, back, mirrored(d), manifold);
   mirror(manifold);
