@@ -1,7 +1,7 @@
 # A thin front: what is built and how is in CMakePresets.json, what it needs in scripts/setup.sh.
 # Variables: JOBS (default: all processors), PREFIX (install), CMAKE_ARGS (to configure, e.g. -DGRAZE_WERROR=ON),
-# CTEST_ARGS (e.g. "-R narrow"), GRAZE_NO_SETUP=1 (install no packages), QUICK=1 (bench, test-lab) and POSES=file.csv
-# (bench).
+# CTEST_ARGS (e.g. "-R narrow"), GRAZE_NO_SETUP=1 (install no packages), QUICK=1 (test, test-lab, bench) and
+# POSES=file.csv (bench).
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 CMAKE_ARGS ?=
@@ -35,11 +35,11 @@ demo: ## build the program, collide an example scene, draw the contacts, and pla
 	@echo "The scene in motion:   $(CURDIR)/build/demo/moved.glb"
 
 .PHONY: test
-test: ## build everything and run all tests
+test: ## build everything and run all tests (QUICK=1: without those of tests/long.txt)
 	@scripts/setup.sh test
 	$(call configure,release)
 	$(call build,release)
-	$(call check,release)
+	$(call check,release) $(if $(QUICK),-E "$$(grep -v -e '^#' -e '^$$' tests/long.txt | paste -s -d '|')")
 
 .PHONY: asan
 asan: ## the tests again, by clang, with address and undefined-behaviour sanitizers
