@@ -18,8 +18,10 @@ const char* motion_word(io::MotionType type) {
   return type == io::MotionType::fixed ? "static" : type == io::MotionType::kinematic ? "kinematic" : "dynamic";
 }
 
-Json counts_of(const MeshFindings& found) {
-  return {{"triangles", found.triangles},
+Json mesh_as_json(const Mesh<double>& mesh) {
+  const MeshFindings found = findings(mesh);
+  return {{"bytes", mesh.memory()},
+          {"triangles", found.triangles},
           {"repeatedTriangles", found.repeated_triangles},
           {"withoutArea", found.without_area},
           {"slivers", found.slivers},
@@ -57,7 +59,7 @@ Json collider_as_json(const AnyScene& scene, const AnyCollider& c) {
            {"upper", as_json(box.upper)},
            {"category", c.filter.category},
            {"mask", c.filter.mask}};
-  if (const Mesh<double>* mesh = mesh_of(c)) out["mesh"] = counts_of(findings(*mesh));
+  if (const Mesh<double>* mesh = mesh_of(c)) out["mesh"] = mesh_as_json(*mesh);
   return out;
 }
 

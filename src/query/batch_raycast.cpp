@@ -160,15 +160,16 @@ std::optional<rays::TurnedBox> turned_box(const Shape<T>& shape, const Pose<T>& 
 template <class T>
 rays::BlockMesh<T> block_mesh(const MeshData<T>& mesh, BackFaces back, bool any) {
   const Vec3d center = converted<double>(mesh.tree.bounds().center());
-  return {mesh.tree.nodes().data(),
-          mesh.leaves.data(),
-          &mesh.points.data()->x,
-          mesh.tree.order().data(),
-          static_cast<double>(mesh.extent),
-          {center.x, center.y, center.z},
-          mesh.radius,
-          back == BackFaces::hit,
-          any};
+  return {.nodes = mesh.tree.nodes().data(),
+          .leaves = mesh.leaves.data(),
+          .points = &mesh.points.data()->x,
+          .triangles = mesh.triangles.data()->data(),
+          .order = mesh.tree.order().data(),
+          .extent = static_cast<double>(mesh.extent),
+          .center = {center.x, center.y, center.z},
+          .radius = mesh.radius,
+          .both_sides = back == BackFaces::hit,
+          .any = any};
 }
 
 template <class T>

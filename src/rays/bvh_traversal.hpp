@@ -29,8 +29,9 @@ struct BvhQuestion {
   double origin[3], direction[3];
   double begin, end;
 
-  /// Called with a leaf and one of its triangles; returns the length up to which the ray is still to be followed.
-  double (*found)(void* owner, const PackedLeaf& leaf, std::size_t i);
+  /// Called with a triangle by its place in the tree's order; returns the length up to which the ray is still to be
+  /// followed.
+  double (*found)(void* owner, std::uint32_t place);
   void* owner;
 };
 

@@ -45,9 +45,10 @@ void traverse_bvh(const BvhQuestion<T>& question) {
       continue;
     }
     const PackedLeaf& leaf = question.leaves[node->first_leaf + place - node->inner];
-    std::uint32_t bits = left(bvh_ray, *node, leaf) & ((1u << leaf.count) - 1);
+    const std::uint32_t first = node->first_of(place);
+    std::uint32_t bits = left(bvh_ray, *node, leaf) & ((1u << node->pieces_of(place)) - 1);
     for (; bits != 0; bits &= bits - 1) {
-      limit = bvh_ray.key(question.found(question.owner, leaf, first_bit(bits)));
+      limit = bvh_ray.key(question.found(question.owner, first + first_bit(bits)));
       if (!(limit > 0)) return;
     }
   }

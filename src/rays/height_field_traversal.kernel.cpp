@@ -169,24 +169,31 @@ struct FieldHierarchy {
 template <class T>
 struct FieldSurface : FieldHierarchy<T> {
   using Leaf = typename FieldHierarchy<T>::Leaf;
+  struct Piece {
+    Leaf cell;
+    std::uint32_t half;  ///< the first or the second triangle of the cell
+  };
   static constexpr std::size_t most = 2, deep = 9;
 
   const rays::BlockField<T>& question;
 
   template <class Ref, class Add>
-  [[gnu::always_inline]] void each(const BvhRay<T>&, const Ref&, const Leaf&, const Add& add) const {
-    add(0, true);
-    add(1, true);
+  [[gnu::always_inline]] void each(const BvhRay<T>&, const Ref&, const Leaf& cell, const Add& add) const {
+    add({cell, 0}, true);
+    add({cell, 1}, true);
   }
+  /// The heights were prefetched with the cell.
+  [[gnu::always_inline]] void prefetch(const Piece&) const {}
 
   /// A triangle with the corners of `HeightFieldData`.
   struct Triangle {
     T corners[3][3];
     [[gnu::always_inline]] T operator()(std::size_t corner, std::size_t axis) const { return corners[corner][axis]; }
   };
-  [[gnu::always_inline]] Triangle triangle(const Leaf& leaf, std::size_t lane) const {
-    const T* heights = this->field.heights + std::size_t{leaf.row} * this->field.columns + leaf.column;
-    const T x[2] = {this->x(leaf.column), this->x(leaf.column + 1)}, z[2] = {this->z(leaf.row), this->z(leaf.row + 1)};
+  [[gnu::always_inline]] Triangle triangle(const Piece& piece) const {
+    const Leaf& cell = piece.cell;
+    const T* heights = this->field.heights + std::size_t{cell.row} * this->field.columns + cell.column;
+    const T x[2] = {this->x(cell.column), this->x(cell.column + 1)}, z[2] = {this->z(cell.row), this->z(cell.row + 1)};
     const auto put = [&](T(&to)[3], std::size_t column, std::size_t row) __attribute__((always_inline)) {
       to[0] = x[column];
       to[1] = heights[row * this->field.columns + column];
@@ -194,12 +201,12 @@ struct FieldSurface : FieldHierarchy<T> {
     };
     Triangle t;
     put(t.corners[0], 0, 0);
-    put(t.corners[1], 1 - lane, 1);
-    put(t.corners[2], 1, lane);
+    put(t.corners[1], 1 - piece.half, 1);
+    put(t.corners[2], 1, piece.half);
     return t;
   }
-  [[gnu::always_inline]] std::uint32_t piece(const Leaf& leaf, std::size_t lane) const {
-    return 2 * (leaf.row * (this->field.columns - 1) + leaf.column) + static_cast<std::uint32_t>(lane);
+  [[gnu::always_inline]] std::uint32_t number(const Piece& piece) const {
+    return 2 * (piece.cell.row * (this->field.columns - 1) + piece.cell.column) + piece.half;
   }
 };
 

@@ -16,7 +16,8 @@ template <class T>
 struct BlockMesh {
   const TreeNode<T>* nodes;
   const PackedLeaf* leaves;
-  const T* points;  ///< three numbers each
+  const T* points;                 ///< three numbers each
+  const std::uint32_t* triangles;  ///< three points each
   const std::uint32_t* order;
   double extent;             ///< bound of all corners' distances from the frame's origin
   double center[3], radius;  ///< a ball that contains all corners

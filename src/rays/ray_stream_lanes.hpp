@@ -29,18 +29,20 @@ struct List {
 };
 
 /// Many rays at one surface. `Surface` is a hierarchy of triangles:
-///   Scalar, Ref (a node), Leaf, children (most of a node), most (most triangles of a leaf);
+///   Scalar, Ref (a node), Leaf, Piece (a triangle), children (most of a node), most (most triangles of a leaf);
 ///   deep: a ray with this many nodes waiting is cast alone
 ///   question: its `extent`, `radius`, `center`, `both_sides` and `any` are those of `BlockMesh`
 ///   root(), open(bvh_ray, ref, limit): the keys of a node's children
 ///   go(ref, leaf, place): moves from a node to a child, true for a node; prefetches the child's data
-///   each(bvh_ray, ref, leaf, add): calls add(lane, really) for the triangles of a leaf that may be crossed
-///   triangle(leaf, lane): coordinates of a triangle by (corner, axis); piece(leaf, lane): its number
+///   each(bvh_ray, ref, leaf, add): calls add(piece, really) for the triangles of a leaf that may be crossed
+///   prefetch(piece): prefetches its corners
+///   triangle(piece): coordinates of a triangle by (corner, axis); number(piece): its number
 template <class Surface>
 class RayStream {
   using T = typename Surface::Scalar;
   using Ref = typename Surface::Ref;
   using Leaf = typename Surface::Leaf;
+  using Piece = typename Surface::Piece;
   using Keys = KeysOf<Surface::children>;
 
  public:
@@ -74,8 +76,8 @@ class RayStream {
     double extent, radius, origin[3], direction[3], begin, end;
   };
   struct Candidate {
-    Leaf leaf;
-    std::uint8_t ray, lane;
+    Piece piece;
+    std::uint8_t ray;
   };
 
   /// Prepares rays: `recentered`, `RayAlignedFrame` and the beginning of `cast_at_surface`, for lanes.
@@ -175,11 +177,12 @@ class RayStream {
       const std::size_t i = leaf_.ray[k];
       const Ray& ray = rays_[i];
       surface_.each(
-          ray.bvh_ray, ray.node, ray.leaf, [&](std::uint32_t lane, bool really) __attribute__((always_inline)) {
-            candidates_[candidates] = {ray.leaf, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(lane)};
+          ray.bvh_ray, ray.node, ray.leaf, [&](const Piece& piece, bool really) __attribute__((always_inline)) {
+            candidates_[candidates] = {piece, static_cast<std::uint8_t>(i)};
             candidates += really;
           });
     }
+    for (std::size_t k = 0; k < candidates; ++k) surface_.prefetch(candidates_[k].piece);
     for (std::size_t k = 0; k < candidates; k += step) test(k, candidates);
     for (std::size_t k = 0; k < leaf_.count; ++k) {
       const std::size_t i = leaf_.ray[k];
@@ -193,7 +196,7 @@ class RayStream {
     double corner[3][3][step], origin[3][step], shear[3][step], from[step], to[step];
     for (std::size_t lane = 0; lane < step; ++lane) {
       const Candidate& c = candidates_[at + lane < end ? at + lane : end - 1];
-      const auto triangle = surface_.triangle(c.leaf, c.lane);
+      const auto triangle = surface_.triangle(c.piece);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto place = static_cast<std::size_t>(axis_[axis][c.ray]);
         for (std::size_t k = 0; k < 3; ++k) corner[k][axis][lane] = static_cast<double>(triangle(k, place));
@@ -229,7 +232,7 @@ class RayStream {
     const double shift = shift_[c.ray], along = t + shift;
     double& best = best_[c.ray];
     Candidate& nearest = nearest_[c.ray];
-    if (!(along < best || (along == best && piece(c) < piece(nearest)))) return;
+    if (!(along < best || (along == best && number(c) < number(nearest)))) return;
     best = along;
     nearest = c;
     best_local_[c.ray] = t;
@@ -237,7 +240,7 @@ class RayStream {
     ray.limit = limit < ray.limit ? limit : ray.limit;
   }
 
-  [[gnu::always_inline]] std::uint32_t piece(const Candidate& c) const { return surface_.piece(c.leaf, c.lane); }
+  [[gnu::always_inline]] std::uint32_t number(const Candidate& c) const { return surface_.number(c.piece); }
 
   /// Writes the hits, as `TriangleCast` returns them.
   [[gnu::always_inline]] void leave(std::size_t i) {
@@ -245,8 +248,8 @@ class RayStream {
     for (std::size_t lane = 0; lane < step; ++lane) {
       if (block_.state[first_ + i + lane] != rays::ray_hit) continue;
       const Candidate& c = nearest_[i + lane];
-      pieces_[i + lane] = piece(c);
-      const auto triangle = surface_.triangle(c.leaf, c.lane);
+      pieces_[i + lane] = number(c);
+      const auto triangle = surface_.triangle(c.piece);
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t axis = 0; axis < 3; ++axis) corner[k][axis][lane] = static_cast<double>(triangle(k, axis));
       t[lane] = best_local_[i + lane];

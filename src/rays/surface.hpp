@@ -23,17 +23,16 @@ inline Vec3d inverse_of(const Vec3d& direction) {
 /// still to be followed. `radius` as in `BvhQuestion`.
 template <class T, class F>
 void traverse_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f) {
-  BvhQuestion<T> question{
-      mesh.tree.nodes().data(),
-      mesh.leaves.data(),
-      static_cast<double>(mesh.extent),
-      radius,
-      {ray.origin.x, ray.origin.y, ray.origin.z},
-      {ray.direction.x, ray.direction.y, ray.direction.z},
-      ray.begin,
-      ray.end,
-      [](void* owner, const PackedLeaf& leaf, std::size_t i) { return (*static_cast<F*>(owner))(leaf, i); },
-      &f};
+  BvhQuestion<T> question{mesh.tree.nodes().data(),
+                          mesh.leaves.data(),
+                          static_cast<double>(mesh.extent),
+                          radius,
+                          {ray.origin.x, ray.origin.y, ray.origin.z},
+                          {ray.direction.x, ray.direction.y, ray.direction.z},
+                          ray.begin,
+                          ray.end,
+                          [](void* owner, std::uint32_t place) { return (*static_cast<F*>(owner))(place); },
+                          &f};
   static const auto kernel = GRAZE_KERNEL(chosen_isa(), traverse_bvh<T>);
   kernel(question);
 }
@@ -100,12 +99,11 @@ void cast_at_surface(const MeshData<T>& mesh, const LocalRay& far, bool both_sid
   const LocalRay& ray = triangle.ray();
   const double reach = reach_to(center, mesh.radius, ray);
   if (reach < 0) return;
-  auto try_lane = [&](const PackedLeaf& leaf, std::size_t i) {
-    const auto point = [&](std::size_t k) { return mesh.points[leaf.corners[i][k]]; };
-    return triangle.at(std::array<Vec3<T>, 3>{point(0), point(1), point(2)},
-                       [&] { return mesh.tree.order()[leaf.first + i]; });
+  auto try_piece = [&](std::uint32_t place) {
+    const std::uint32_t number = mesh.tree.order()[place];
+    return triangle.at(mesh.triangle(number), [&] { return number; });
   };
-  traverse_mesh(mesh, ray, reach, try_lane);
+  traverse_mesh(mesh, ray, reach, try_piece);
 }
 
 template <class T, class Found>

@@ -12,12 +12,9 @@ namespace {
 template <class T>
 PackedLeaf packed_leaf(const MeshData<T>& mesh, const TreeNode<T>& node, std::size_t lane) {
   PackedLeaf leaf;
-  leaf.first = node.first_piece + (node.pieces[lane] >> 3);
-  leaf.count = node.pieces[lane] & 7u;
+  const std::uint32_t first = node.first_of(lane), last = node.pieces_of(lane) - 1;
   for (std::uint32_t i = 0; i < PackedLeaf::lanes; ++i) {
-    const std::uint32_t number = mesh.tree.order()[leaf.first + least(i, leaf.count - 1)];
-    const std::array<Vec3<T>, 3> corners = mesh.triangle(number);
-    std::copy_n(mesh.triangles[number].begin(), 3, leaf.corners[i]);
+    const std::array<Vec3<T>, 3> corners = mesh.triangle(mesh.tree.order()[first + least(i, last)]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto origin = static_cast<double>(node.origin[axis]), step = static_cast<double>(node.step[axis]);
       const double parts_per_length = step > 0 ? PackedLeaf::parts / step : 0;
@@ -148,6 +145,10 @@ Sides Mesh<T>::sides() const {
 template <class T>
 bool Mesh<T>::solid() const {
   return data_->solid;
+}
+template <class T>
+std::size_t Mesh<T>::memory() const {
+  return data_->memory();
 }
 template <class T>
 T Mesh<T>::core_extent() const {

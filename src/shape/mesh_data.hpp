@@ -31,6 +31,12 @@ struct MeshData {
   const WideTree<T>& hierarchy() const { return tree; }
   const TrianglesAcross& across(std::uint32_t number) const { return neighbours[number]; }
   bool lies_level(std::uint32_t number) const { return level[number]; }
+  /// Bytes that are kept.
+  std::size_t memory() const {
+    const auto of = [](const auto& list) { return list.size() * sizeof list[0]; };
+    return sizeof *this + of(points) + of(triangles) + tree.memory() + of(leaves) + level.size() / 8 + of(neighbours) +
+           of(islands);
+  }
   std::array<Vec3<T>, 3> triangle(std::uint32_t number) const {
     const auto& t = triangles[number];
     return {points[t[0]], points[t[1]], points[t[2]]};

@@ -1,5 +1,5 @@
-// A leaf's triangles as a ray reads them, in two lines of memory: their corners side by side in sixteen bits a
-// coordinate, enough to rule out most triangles that the ray misses, and the points of the mesh at these corners.
+// A leaf's triangles as a ray reads them first: their corners side by side in sixteen bits a coordinate, enough to rule
+// out most triangles that the ray misses. It lies on two lines of memory.
 //
 // Guarantee: no coordinate is further from the corner's than `off` parts, of which a step of the leaf's node has
 // `parts` (a node's frame has 255 steps, hence 65535 parts), plus the rounding of whatever computes it.
@@ -10,13 +10,11 @@
 
 namespace graze {
 
-struct alignas(64) PackedLeaf {
+struct alignas(8) PackedLeaf {
   static constexpr std::size_t lanes = 4;
   static constexpr int parts = 257;
   static constexpr double off = 0.51;
-  std::uint16_t at[3][3][lanes];    ///< axis, corner, triangle; lanes without a triangle repeat one
-  std::uint32_t corners[lanes][3];  ///< points of the mesh
-  std::uint32_t first, count;       ///< the triangles' places in the tree's order
+  std::uint16_t at[3][3][lanes];  ///< axis, corner, triangle; lanes without a triangle repeat one
 };
 
 }  // namespace graze

@@ -23,6 +23,10 @@ struct alignas(32) TreeNode {
   std::uint8_t pieces[width];  ///< of a leaf: eight times its first piece's place from `first_piece`, plus how many
   std::uint8_t lower[3][width], upper[3][width];
 
+  /// How many pieces a leaf has, and the place of its first in the order of pieces.
+  std::uint32_t pieces_of(std::size_t leaf) const { return pieces[leaf] & 7u; }
+  std::uint32_t first_of(std::size_t leaf) const { return first_piece + (pieces[leaf] >> 3); }
+
   /// The place of a side. The builder and the queries share this expression, so that a box that the builder found to
   /// contain its pieces does contain them.
   T at(std::size_t axis, unsigned q) const { return origin[axis] + static_cast<T>(static_cast<int>(q)) * step[axis]; }

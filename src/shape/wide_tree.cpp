@@ -1,6 +1,7 @@
 #include "shape/wide_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -82,8 +83,13 @@ class BinaryBuilder {
     return spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
   }
 
+  /// The work for so many pieces: a leaf's are looked at together, however many it has.
+  static T looks(std::size_t count) {
+    return static_cast<T>((count + WideTree<T>::leaf_size - 1) / WideTree<T>::leaf_size);
+  }
+
   /// The split between two bins along the axis on which the middles spread most that costs least: the sum of both
-  /// sides' areas times their counts. None when the middles coincide, or areas over- or underflow.
+  /// sides' areas times the work for their pieces. None when the middles coincide, or areas over- or underflow.
   Split<T> best_split(const Range<T>& range) const {
     Split<T> split;
     split.axis = widest_axis(range);
@@ -110,7 +116,7 @@ class BinaryBuilder {
     for (std::size_t i = split.bins - 1; i > 0; --i) {
       box = merged(box, boxes[i]);
       count += counts[i];
-      right_cost[i] = surface_area(box) * static_cast<T>(count);
+      right_cost[i] = surface_area(box) * looks(count);
     }
     box = Aabb<T>::empty();
     count = 0;
@@ -119,7 +125,7 @@ class BinaryBuilder {
       box = merged(box, boxes[i - 1]);
       count += counts[i - 1];
       if (count == 0 || count == range.count()) continue;
-      const T cost = surface_area(box) * static_cast<T>(count) + right_cost[i];
+      const T cost = surface_area(box) * looks(count) + right_cost[i];
       if (!(cost < least_cost)) continue;
       least_cost = cost;
       split.at = i;
@@ -196,19 +202,84 @@ void set_lane(TreeNode<T>& node, std::size_t i, const Aabb<T>& box) {
 
 }  // namespace
 
-/// Makes the binary tree wide: of a node's descendants those that are most often met, by their area, are opened until
-/// eight are left.
+/// Which nodes of a binary tree to make wide: the choice whose nodes and leaves are met least often by what is met in
+/// proportion to area (Ylitie, Karras, Laine 2017, section 4).
+template <class T>
+class Collapse {
+ public:
+  static constexpr std::size_t width = WideTree<T>::width;
+  using Lanes = std::uint32_t[width];
+
+  explicit Collapse(const std::vector<BinaryNode<T>>& binary) : binary_(binary), costs_(binary.size()) {
+    for (std::size_t i = binary.size(); i-- > 0;) costs_[i] = cost_of(static_cast<std::uint32_t>(i));
+  }
+
+  /// The children of the wide node that a binary one becomes, from left to right; a leaf is its own. Returns how many.
+  std::size_t children(std::uint32_t node, Lanes& lanes) const {
+    std::size_t count = 0;
+    if (binary_[node].count > 0)
+      lanes[count++] = node;
+    else
+      split(node, width, lanes, count);
+    return count;
+  }
+
+ private:
+  /// What the pieces below a node cost as children of another: as one, as at most two, and so on.
+  using Costs = std::array<T, width>;
+  struct Choice {
+    T cost;
+    std::size_t left;  ///< children from the left one of two
+  };
+
+  /// The best way to make at most so many children of what is below a node's two.
+  Choice best(std::uint32_t node, std::size_t most) const {
+    const Costs &left = costs_[node + 1], &right = costs_[binary_[node].first];
+    Choice found{left[0] + right[most - 2], 1};
+    for (std::size_t i = 2; i < most; ++i)
+      if (const T cost = left[i - 1] + right[most - i - 1]; cost < found.cost) found = {cost, i};
+    return found;
+  }
+
+  Costs cost_of(std::uint32_t node) const {
+    Costs costs;
+    const T area = surface_area(binary_[node].box);
+    costs[0] = binary_[node].count > 0 ? area : area + best(node, width).cost;
+    for (std::size_t most = 2; most <= width; ++most)
+      costs[most - 1] = binary_[node].count > 0 ? area : least(costs[most - 2], best(node, most).cost);
+    return costs;
+  }
+
+  void split(std::uint32_t node, std::size_t most, Lanes& lanes, std::size_t& count) const {
+    const std::size_t left = best(node, most).left;
+    add(node + 1, left, lanes, count);
+    add(binary_[node].first, most - left, lanes, count);
+  }
+  /// Adds at most so many children: fewer where more cost more.
+  void add(std::uint32_t node, std::size_t most, Lanes& lanes, std::size_t& count) const {
+    if (binary_[node].count > 0) most = 1;
+    while (most > 1 && costs_[node][most - 2] < best(node, most).cost) --most;
+    if (most > 1) return split(node, most, lanes, count);
+    lanes[count++] = node;
+  }
+
+  const std::vector<BinaryNode<T>>& binary_;
+  std::vector<Costs> costs_;
+};
+
+/// Makes the binary tree wide.
 template <class T>
 class WideTree<T>::Builder {
  public:
   Builder(WideTree& tree, const std::vector<TreePiece<T>>& pieces, const std::vector<BinaryNode<T>>& binary)
       : tree_(tree), pieces_(pieces), binary_(binary) {
+    const Collapse<T> collapse(binary);
     tree_.order_.reserve(pieces.size());
     std::vector<std::uint32_t> sources{0};  // the binary node of each wide one
     tree_.nodes_.push_back({});
     for (std::uint32_t at = 0; at < sources.size(); ++at) {
       std::uint32_t lanes[width];
-      const std::size_t count = opened(sources[at], lanes);
+      const std::size_t count = collapse.children(sources[at], lanes);
       const auto inner =
           std::stable_partition(lanes, lanes + count, [&](std::uint32_t i) { return binary_[i].count == 0; });
       tree_.nodes_[at] = node_of(binary_[sources[at]].box, lanes, count, static_cast<std::size_t>(inner - lanes));
@@ -218,27 +289,6 @@ class WideTree<T>::Builder {
   }
 
  private:
-  std::size_t opened(std::uint32_t root, std::uint32_t (&lanes)[width]) const {
-    lanes[0] = root;
-    std::size_t count = 1;
-    while (count < width) {
-      std::size_t best = width;
-      T most = T(-1);
-      for (std::size_t i = 0; i < count; ++i) {
-        const T area = surface_area(binary_[lanes[i]].box);
-        if (binary_[lanes[i]].count > 0 || !(area > most)) continue;
-        most = area;
-        best = i;
-      }
-      if (best == width) break;
-      std::copy_backward(lanes + best + 1, lanes + count, lanes + count + 1);
-      ++count;
-      lanes[best + 1] = binary_[lanes[best]].first;
-      ++lanes[best];
-    }
-    return count;
-  }
-
   Node node_of(const Aabb<T>& box, const std::uint32_t (&lanes)[width], std::size_t count, std::size_t inner) {
     Node node{};
     set_frame(node, box);

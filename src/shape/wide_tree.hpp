@@ -69,9 +69,9 @@ class WideTree {
   template <class F>
   bool each_piece(Ref ref, F& f) const {
     const Node& node = nodes_[(ref & ~leaf_bit) / width];
-    const std::uint8_t pieces = node.pieces[ref % width];
-    const std::uint32_t* number = order_.data() + node.first_piece + (pieces >> 3);
-    for (unsigned i = 0; i < (pieces & 7u); ++i)
+    const std::uint32_t* number = order_.data() + node.first_of(ref % width);
+    const std::uint32_t count = node.pieces_of(ref % width);
+    for (std::uint32_t i = 0; i < count; ++i)
       if (!go_on(f, number[i])) return false;
     return true;
   }

@@ -121,6 +121,7 @@ TYPED_TEST(BatchRaycastMesh, GivesTheSameBitsAtEveryLevel) {
   rays::BlockMesh<T> question{data.tree.nodes().data(),
                               data.leaves.data(),
                               &data.points.data()->x,
+                              data.triangles.data()->data(),
                               data.tree.order().data(),
                               static_cast<double>(data.extent),
                               {center.x, center.y, center.z},
