@@ -150,17 +150,18 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
 }
 
 template <class T>
-bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach) {
+std::optional<bool> general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach) {
   const double noise = noise_of(a, b, b_in_a.translation);
   return with_overlap_difference(a, b, b_in_a, [&](auto& difference) {
     const GjkResult g = search(difference, overlap_goals(difference.size(), noise, reach));
-    return g.end == GjkEnd::touching || g.upper <= reach + noise;
+    if (g.end == GjkEnd::touching || g.upper <= reach + noise) return std::optional(true);
+    return g.lower > reach + noise ? std::optional(false) : std::nullopt;
   });
 }
 
 template GeneralDistance general_distance(const Shape<float>&, const Shape<float>&, const Posed&, double);
 template GeneralDistance general_distance(const Shape<double>&, const Shape<double>&, const Posed&, double);
-template bool general_overlap(const Shape<float>&, const Shape<float>&, const Posed&, double);
-template bool general_overlap(const Shape<double>&, const Shape<double>&, const Posed&, double);
+template std::optional<bool> general_overlap(const Shape<float>&, const Shape<float>&, const Posed&, double);
+template std::optional<bool> general_overlap(const Shape<double>&, const Shape<double>&, const Posed&, double);
 
 }  // namespace graze

@@ -2,6 +2,8 @@
 // and ellipsoids by Newton's descent on their closed forms where that is proven.
 #pragma once
 
+#include <optional>
+
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
 #include "narrow/core/core.hpp"
@@ -47,9 +49,10 @@ template <class T>
 GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a,
                                  double limit = std::numeric_limits<double>::infinity());
 
-/// Whether the cores come within `reach` (the sum of the rounding radii) of each other.
+/// Whether the cores come within `reach` (the sum of the rounding radii) of each other; nothing where the search ends
+/// before it tells, as of smooth shapes that touch by their roundings: the distance does.
 template <class T>
-bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach);
+std::optional<bool> general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach);
 
 /// A pose in double, whatever the scalar, its rotation of unit length to double's precision.
 template <class T>

@@ -215,8 +215,9 @@ bool ordered_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
   if (special.overlap)
     if (const auto touch = special.overlap(body_a, body_b)) return *touch;
   if (special.overlap_by_distance) return special.overlap_by_distance(body_a, body_b);
-  return general_overlap(a, b, relative_in_double(pose_a, pose_b),
-                         static_cast<double>(rounding_radius(a)) + static_cast<double>(rounding_radius(b)));
+  const auto known = general_overlap(a, b, relative_in_double(pose_a, pose_b),
+                                     static_cast<double>(rounding_radius(a)) + static_cast<double>(rounding_radius(b)));
+  return known ? *known : general(body_a, body_b, std::numeric_limits<T>::infinity()).distance <= T(0);
 }
 
 }  // namespace
