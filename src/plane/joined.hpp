@@ -70,18 +70,25 @@ class Joined {
 
   /// Contacts of one pair of pieces, whose nearest points are `found`.
   void add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin);
-  /// A second visit, to pairs that overlap where no pair gave contacts: lines that cross, and ends that reach through a
-  /// corner, leave no normal that is the outline's. The deepest pair then stands in, as it is without its neighbours.
+  /// A second visit, to pairs that overlap where no pair gave a contact that does: lines that cross, and ends that reach
+  /// through a corner, leave no normal that is the outline's. The deepest pair then stands in, as it is without its
+  /// neighbours.
   void stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found);
-  /// Ends a visit. Returns whether there are contacts. A stand-in far deeper than what it replaces is
-  /// left out unless `stands_in()`.
+  /// Ends a visit. Returns whether there are contacts, and of bodies that overlap one that touches, whatever else is
+  /// within the margin. A stand-in far deeper than what it replaces is left out unless `stands_in()`.
   template <class StandsIn>
-  bool finish(const StandsIn& stands_in) {
+  bool finish(bool overlaps, const StandsIn& stands_in) {
     join_doubtful();
     extend_in_line();
     unite();
-    if (instead_ && out_.size() == first_ && (!deeper_ || stands_in())) out_.push_back(*instead_);
-    return out_.size() > first_;
+    const auto counts = [&](const Manifold<T>& m) {
+      const auto touches = [](const ContactPoint<T>& p) { return p.distance <= T(0); };
+      return !overlaps || std::any_of(m.points.begin(), m.points.end(), touches);
+    };
+    if (std::any_of(out_.begin() + static_cast<std::ptrdiff_t>(first_), out_.end(), counts)) return true;
+    if (!instead_ || !counts(*instead_) || (deeper_ && !stands_in())) return false;
+    out_.push_back(*instead_);
+    return true;
   }
 
  private:
@@ -148,7 +155,8 @@ class Joined {
 };
 
 /// Appends the contacts of all pairs of pieces that `visit(see)` calls `see` with, the same in every visit, and returns
-/// whether any overlap. Where bodies that overlap have none, the deepest pair stands in if `stands_in()` says so.
+/// whether any overlap. Where bodies that overlap have none that touches, the deepest pair stands in if `stands_in()`
+/// says so.
 template <class T, class Visit, class StandsIn>
 bool join_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, double margin,
                    Manifolds<T>& manifolds, const Visit& visit, const StandsIn& stands_in) {
@@ -164,13 +172,13 @@ bool join_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
     overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
     joined.add(pair, b_in_a, found, margin);
   });
-  if (joined.finish(stands_in) || !overlaps) return overlaps;
+  if (joined.finish(overlaps, stands_in) || !overlaps) return overlaps;
   if (!stands_in()) return true;
   visit([&](const LeafPair<T>& pair) {
     const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
     joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
   });
-  joined.finish(stands_in);
+  joined.finish(overlaps, stands_in);
   return true;
 }
 

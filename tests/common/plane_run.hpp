@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 17694013805996441923u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 16428753639430689974u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 3352388161079600128u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 16438985848989095803u;
 
 }  // namespace graze::testing
 

@@ -120,6 +120,47 @@ TEST(Composite, ContactsOfTwoCompositesAreMirroredByASwap) {
   EXPECT_GT(touching, 100u);
 }
 
+/// A place in the cube of side 2 about the origin, in tenths, so that many edges and corners meet.
+Vec3d tenth(Random& random) {
+  const auto number = [&] { return static_cast<int>(random() % 21) / 10.0 - 1; };
+  return {number(), number(), number()};
+}
+
+Shaped small_mesh(Random& random, std::vector<Mesh<double>::Index> triangles) {
+  std::vector<Vec3d> points;
+  for (int i = 0; i < 4; ++i) points.push_back(tenth(random));
+  return Mesh<double>(points, std::move(triangles));
+}
+
+Shaped small_composite(Random& random) {
+  if (random() % 3 == 0) return small_mesh(random, {{0, 1, 2}, {1, 3, 2}});
+  if (random() % 2 == 0) return small_mesh(random, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  std::vector<Placed<double>> boxes;
+  for (int i = 0; i < 3; ++i) boxes.push_back({Box<double>({0.6, 0.4, 0.8}), {tenth(random), {}}});
+  return Compound<double>(std::move(boxes));
+}
+
+// What is only near is told besides what touches, and never in its place.
+TEST(Composite, WhatTouchesHasAPointThatDoesWhateverTheMargin) {
+  Random random(31);
+  int touching = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Shaped a = small_composite(random), b = small_composite(random);
+    const Posed pose{tenth(random) / 2.0, {}};
+    if (!overlap(a, {}, b, pose)) continue;
+    ++touching;
+    for (const double margin : {0.0, 0.05, 0.3}) {
+      Manifolds<double> manifolds;
+      EXPECT_TRUE(contacts(a, {}, b, pose, margin, manifolds));
+      double deepest = 1;
+      for (const auto& m : manifolds)
+        for (const auto& p : m.points) deepest = std::min(deepest, p.distance);
+      EXPECT_LE(deepest, 1e-15) << "pair " << i << ", margin " << margin;
+    }
+  }
+  EXPECT_GT(touching, 2000);
+}
+
 // Compounds in compounds, with half-spaces among the children.
 TEST(Composite, TwoNestedCompounds) {
   Random random(3);

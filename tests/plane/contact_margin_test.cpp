@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <vector>
 
 #include "graze/plane/query.hpp"
@@ -44,6 +46,46 @@ TYPED_TEST(PlaneContactMargin, OfACompoundDoesNotGrowWithItsDistanceFromItsOrigi
     EXPECT_NEAR(contact_margin(boxes_at(x), large), T(5) / T(100), T(1e-5));
     EXPECT_NEAR(contact_margin(large, boxes_at(x)), T(5) / T(100), T(1e-5));
   }
+}
+
+/// Three boxes and triangles in places of tenths.
+template <class T>
+Shape<T> crossed(std::mt19937& random) {
+  const auto tenth = [&] { return T(static_cast<int>(random() % 21) - 10) / T(10); };
+  std::vector<Placed<T>> children;
+  while (children.size() < 3) {
+    const Pose2<T> pose{{tenth(), tenth()}, Rot2<T>::from_angle(tenth())};
+    if (random() % 2 == 0) {
+      children.push_back({Shape<T>(Box<T>({T(0.6), T(0.4)})), pose});
+      continue;
+    }
+    const Vec2<T> p{tenth(), tenth()}, q{tenth(), tenth()}, r{tenth(), tenth()};
+    if (std::abs(cross(q - p, r - p)) > T(0.1))
+      children.push_back({Shape<T>(ConvexPolygon<T>(std::vector<Vec2<T>>{p, q, r})), pose});
+  }
+  return Compound<T>(std::move(children));
+}
+
+// What is only near is told besides what touches, and never in its place.
+TYPED_TEST(PlaneContactMargin, TakesNoPointAwayThatTouches) {
+  using T = TypeParam;
+  std::mt19937 random(5);
+  int touching = 0;
+  for (int i = 0; i < 8000; ++i) {
+    const Shape<T> a = crossed<T>(random), b = crossed<T>(random);
+    const Pose2<T> here{}, there{{T(static_cast<int>(random() % 21) - 10) / T(10), T(0.3)}, {}};
+    if (!overlap(a, here, b, there)) continue;
+    ++touching;
+    for (const T margin : {T(0), T(0.05), T(0.3)}) {
+      Manifolds<T> manifolds;
+      EXPECT_TRUE(contacts(a, here, b, there, margin, manifolds));
+      T deepest(1);
+      for (const auto& m : manifolds)
+        for (const auto& p : m.points) deepest = std::min(deepest, p.distance);
+      EXPECT_LE(deepest, T(0)) << "pair " << i << ", margin " << margin;
+    }
+  }
+  EXPECT_GT(touching, 5000);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "composite/internal_edges/ghost_contacts.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "composite/closest.hpp"
@@ -79,12 +80,16 @@ Manifold<T> between_same_pieces(const Manifold<T>& like) {
 }
 
 /// The manifold of two pieces along `outward`, a normal of A or B. Where their faces do not meet, as of a thing that
-/// stands beside the piece on the continuation of its face, it has no points.
+/// stands beside the piece on the continuation of its face, it has no points; and where pieces that touch (`distance`)
+/// have none along it that does, whatever else is within the margin.
 template <class T>
 Manifold<T> laid_along(const LeafInContext<T>& a, const LeafInContext<T>& b, bool of_a, const Vec3<T>& outward,
-                       T margin, const Manifold<T>& like) {
+                       T margin, T distance, const Manifold<T>& like) {
   Manifold<T> manifold = between_same_pieces(like);
   contacts_along(a.piece, a.pose, b.piece, b.pose, of_a ? outward : -outward, margin, manifold);
+  const auto touches = [](const ContactPoint<T>& p) { return p.distance <= T(0); };
+  if (distance <= T(0) && std::none_of(manifold.points.begin(), manifold.points.end(), touches))
+    manifold.points.clear();
   return manifold;
 }
 
@@ -467,7 +472,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
     Manifold<T> found;
     if (tilted) {
       found = now;
-      now = laid_along(a, b, of_a, face, margin, found);
+      now = laid_along(a, b, of_a, face, margin, distance, found);
     }
     // Rounding may leave one without points; and a corner or a ball, which stands on the face alone, has none to be
     // laid.
@@ -477,7 +482,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
     const auto right = least_deep(self, other, seen, corrected(self, other, seen, margin));
     if (right && !right->elsewhere) {
       if (!sliver) found = now;
-      now = laid_along(a, b, of_a, right->normal, margin, found);
+      now = laid_along(a, b, of_a, right->normal, margin, distance, found);
       if (now.points.empty() && !right->least_way) now = poking_corner(self, other, of_a, right->normal, found);
     }
     if (right && is_of_another_piece(self, other, *right, now)) {
