@@ -170,10 +170,11 @@ bool JsonValue::boolean() const {
   return json_->get<bool>();
 }
 
-std::size_t JsonValue::whole_number() const {
+std::size_t JsonValue::whole_number(std::size_t least) const {
   const double value = json_->is_number() ? json_->get<double>() : -1;
   // Beyond 2^53 doubles do not hold every whole number, and nothing here counts that far.
-  if (!(value >= 0) || value != std::floor(value) || value > 9007199254740992.0) fail("a whole number >= 0");
+  if (!(value >= static_cast<double>(least)) || value != std::floor(value) || value > 9007199254740992.0)
+    fail("a whole number >= " + std::to_string(least));
   return static_cast<std::size_t>(value);
 }
 

@@ -61,7 +61,7 @@ class JsonValue {
 
   std::string string() const;
   bool boolean() const;
-  std::size_t whole_number() const;  ///< >= 0
+  std::size_t whole_number(std::size_t least = 0) const;
   /// The index of an element of a list of `count`.
   std::size_t index_below(std::size_t count) const;
 

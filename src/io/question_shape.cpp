@@ -71,12 +71,7 @@ Shape<T> read_mesh(const JsonValue& json) {
 template <class T>
 Shape<T> read_height_field(const JsonValue& json) {
   json.keys({"columns", "rows", "spacing", "heights"});
-  const auto count = [&](const char* key) {
-    const std::size_t n = json.at(key).whole_number();
-    if (n < 2) json.at(key).fail("a whole number >= 2");
-    return n;
-  };
-  const std::size_t columns = count("columns"), rows = count("rows");
+  const std::size_t columns = json.at("columns").whole_number(2), rows = json.at("rows").whole_number(2);
   T dx(1), dz(1);
   if (const auto spacing = json.find("spacing")) {
     const auto parts = spacing->elements(2);
