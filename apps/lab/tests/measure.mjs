@@ -109,7 +109,7 @@ async function played(name, seconds, rate) {
   return { of: (key) => part(frames.map((f) => f[key]), 0.5), count: frames.length, parts: { script: each("ScriptDuration"), layout: each("LayoutDuration") + each("RecalcStyleDuration"), all: each("TaskDuration") } };
 }
 
-for (const [name, hash, selector] of [["the list of lessons", "", "article.home"], ["the third lesson", lesson, ".stage2 path.shape"], ["the playground", "#/scene", ".stage3 canvas"]])
+for (const [name, hash, selector] of [["the list of lessons", "", "article.home"], ["the third lesson", lesson, ".stage2 .shape"], ["the playground", "#/scene", ".stage3 canvas"]])
   for (const rate of rates) {
     if (!wanted(`first drawing of ${name}`)) continue;
     const times = [];

@@ -27,19 +27,23 @@ export interface Step {
 }
 
 /** A step that is made when it is shown first: while another step is shown, a drag pays nothing for its queries. */
-export function later(make: () => Step): Step {
-  let made: Step | undefined;
-  const step = (): Step => (made ??= make());
-  return {
-    get title() { return step().title; },
-    get text() { return step().text; },
-    get formula() { return step().formula; },
-    get numbers() { return step().numbers; },
-    get graph() { return step().graph; },
-    get says() { return step().says; },
-    get handles() { return step().handles; },
-    draw: (drawing) => step().draw(drawing),
-  };
+export const later = (make: () => Step): Step => new LaterStep(make);
+class LaterStep implements Step {
+  private readonly make: () => Step;
+  private made?: Step;
+
+  constructor(make: () => Step) {
+    this.make = make;
+  }
+  private get step(): Step { return (this.made ??= this.make()); }
+  get title(): string { return this.step.title; }
+  get text(): string { return this.step.text; }
+  get formula(): string[] | undefined { return this.step.formula; }
+  get numbers(): Numbers | undefined { return this.step.numbers; }
+  get graph(): Graph | undefined { return this.step.graph; }
+  get says(): string { return this.step.says; }
+  get handles(): string[] | undefined { return this.step.handles; }
+  draw(drawing: Drawing): void { this.step.draw(drawing); }
 }
 
 export interface Example {

@@ -250,7 +250,7 @@ export const separatingAxesPlane: Lesson = {
     const firstGap = axes.findIndex((x) => x.overlap < 0);
     axes.forEach((axis, i) => {
       const gap = axis.overlap < 0;
-      steps.push({
+      steps.push(later(() => ({
         title: `Axis ${axis.name}: ${gap ? "a gap" : "overlap"}`,
         text: (i === 0 ? "Both shadows beside each other. " : `${axis.name} is ${inWords(axis.name)}: the same for it. `) +
           (gap ? "A's shadow ends before B's begins. The dashed line across the axis separates the shapes: they are apart. "
@@ -265,7 +265,7 @@ export const separatingAxesPlane: Lesson = {
           paint(d);
           ruler(d, axis, bodies, { verdict: true });
         },
-      });
+      })));
     });
     const apart = !answer.overlap;
     steps.push({

@@ -29,6 +29,16 @@ export function svg(tag: string, attributes: Attributes = {}, ...children: Child
 export const button = (label: string, act: () => void, more: Attributes = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
 
+/** Sets an attribute where it differs: a browser takes one that is set again for a change. */
+export function set(element: Element, name: string, value: string): void {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+/** Makes a text all that an element holds, where it differs. */
+export function write(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 /** Makes the children of an element equal to `wanted`. Where one of the same kind stands in its place already, only its
  *  words and attributes are changed, which a browser lays out in a fraction of the time; its listeners stay, so none of
  *  `wanted` has any. */
@@ -40,7 +50,7 @@ export function update(element: Element, wanted: Node[]): void {
     else if (old.isEqualNode(node)) continue;
     else if (old instanceof Element && node instanceof Element && old.nodeName === node.nodeName) {
       for (const { name } of [...old.attributes]) if (!node.hasAttribute(name)) old.removeAttribute(name);
-      for (const { name, value } of node.attributes) if (old.getAttribute(name) !== value) old.setAttribute(name, value);
+      for (const { name, value } of node.attributes) set(old, name, value);
       update(old, [...node.childNodes]);
     } else if (old instanceof Text && node instanceof Text) {
       if (old.data !== node.data) old.data = node.data;

@@ -1,6 +1,6 @@
 // The handles of both stages: buttons over the drawing, so that a keyboard and a screen reader reach them.
 
-import { h } from "./dom.ts";
+import { h, set } from "./dom.ts";
 import type { Handle } from "./drawing.ts";
 import type { LabelPlaces } from "./labels.ts";
 import type { Vec } from "../question.ts";
@@ -22,6 +22,8 @@ const sign = (handle: Handle): string =>
 export class Handles {
   readonly element = h("div", { class: "handles" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
+  /** Where the buttons are. */
+  private readonly places = new Map<string, string>();
   private handles: Handle[] = [];
   private readonly projection: Projection;
   private readonly onDrag: (id: string, to: Vec, done: boolean) => void;
@@ -38,6 +40,7 @@ export class Handles {
       if (!wanted.has(id)) {
         button.remove();
         this.buttons.delete(id);
+        this.places.delete(id);
       }
     for (const handle of handles) {
       let button = this.buttons.get(handle.id);
@@ -46,7 +49,7 @@ export class Handles {
         this.buttons.set(handle.id, button);
         this.element.append(button);
       }
-      button.setAttribute("aria-label", `${handle.label} at ${handle.at.map((x) => x.toFixed(2)).join(", ")}`);
+      set(button, "aria-label", `${handle.label} at ${handle.at.map((x) => x.toFixed(2)).join(", ")}`);
     }
     this.place();
   }
@@ -54,8 +57,10 @@ export class Handles {
   place(): void {
     for (const handle of this.handles) {
       const [x, y] = this.projection.toScreen(handle.at);
-      const style = this.buttons.get(handle.id)!.style;
-      style.transform = `translate(${x}px, ${y}px)`;
+      const there = `translate(${x}px, ${y}px)`;
+      if (this.places.get(handle.id) === there) continue;
+      this.places.set(handle.id, there);
+      this.buttons.get(handle.id)!.style.transform = there;
     }
   }
 

@@ -95,10 +95,16 @@ export function formula(text: string): Element {
   return math;
 }
 
-/** Shrinks a formula that is wider than its place, down to what can still be read; the rest can be scrolled to. */
-export function fit(shown: Element): void {
-  const smallest = 0.6, { clientWidth, scrollWidth } = shown;
-  if (scrollWidth > clientWidth) (shown as HTMLElement).style.fontSize = `${Math.max(smallest, (0.98 * clientWidth) / scrollWidth)}em`;
+/** Shrinks formulas that are wider than their place, down to what can still be read; the rest can be scrolled to. All are
+ *  measured before the first is changed, so that they are laid out once. */
+export function fit(shown: HTMLElement[]): void {
+  const smallest = 0.6;
+  for (const one of shown) one.style.fontSize = "";
+  const widths = shown.map(({ clientWidth, scrollWidth }) => [clientWidth, scrollWidth]);
+  shown.forEach((one, i) => {
+    const [place, wanted] = widths[i];
+    if (wanted > place) one.style.fontSize = `${Math.max(smallest, (0.98 * place) / wanted)}em`;
+  });
 }
 
 /** A vector as text of a formula; the rounding of zero is shown as zero. */

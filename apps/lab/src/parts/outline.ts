@@ -4,7 +4,7 @@ import { graze, planeShapeOf } from "../graze.ts";
 import type { Body, Shape, Vec } from "../question.ts";
 
 export interface Outline {
-  points: Vec[];
+  readonly points: Vec[];
   closed: boolean;
 }
 
@@ -25,12 +25,27 @@ function shapeOf(of: Shape): graze.plane.Shape {
   return shape;
 }
 
+/** The number of outlines that are remembered: those of a picture, which several of its parts ask for, and of bodies
+ *  that a drag leaves where they are. */
+const mostOutlines = 64;
+const remembered = new Map<string, Outline[]>();
+/** Whether a shape has no end, or a piece of it. */
+const isEndless = (shape: Shape): boolean => JSON.stringify(shape).includes('"plane"');
 /** The outlines of a body in the world, one for each of its pieces; a half-plane as far as `far`. */
-export function outlines(body: Body, far: number): Outline[] {
+export function outlines(body: Body, far: number): readonly Outline[] {
+  const { shape, translation = [0, 0], rotation = 0 } = body;
+  const key = JSON.stringify([shape, translation, rotation, isEndless(shape) && far]);
+  let made = remembered.get(key);
+  if (!made) {
+    if (remembered.size >= mostOutlines) remembered.clear();
+    remembered.set(key, (made = drawn(shape, { translation, rotation: Number(rotation) }, far)));
+  }
+  return made;
+}
+function drawn(shape: Shape, at: { translation: Vec; rotation: number }, far: number): Outline[] {
   const made: Outline[] = [];
   const same = (p: Vec, q: Vec): boolean => p[0] === q[0] && p[1] === q[1];
-  const at = { translation: body.translation ?? [0, 0], rotation: Number(body.rotation ?? 0) };
-  graze.plane.draw.shape(shapeOf(body.shape), at, {
+  graze.plane.draw.shape(shapeOf(shape), at, {
     center: [...at.translation.slice(0, 2), 0],
     size: far,
     line(from, to) {

@@ -1,11 +1,12 @@
 // The plane: SVG, so that it is sharp at any size, can be printed, and its text can be selected.
 
 import { isSeen } from "./camera.ts";
-import { h, svg, update } from "./dom.ts";
+import { h, set, svg } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Handles } from "./handles.ts";
 import { LabelPlaces } from "./labels.ts";
 import { outlines, type Outline } from "./outline.ts";
+import { Pen } from "./pen.ts";
 import { roundStep, scaleBar } from "./scale-bar.ts";
 import { add, length, scale, sub, unit } from "./vec.ts";
 import type { Vec } from "../question.ts";
@@ -21,7 +22,7 @@ export class Stage2 implements Stage, Drawing {
   private view: View = { center: [0, 0], reach: 3 };
   private moved = false;
   private size: [number, number] = [600, 480];
-  private layers: SVGElement[] = [];
+  private readonly layers = Array.from({ length: 4 }, () => new Pen());
   private behind: { of: string; drawn: SVGElement[] } = { of: "", drawn: [] };
   private texts: { at: Vec; text: string; meaning: Meaning; from?: Vec }[] = [];
   /** The pixels of the points that are drawn, and their radii. */
@@ -116,19 +117,18 @@ export class Stage2 implements Stage, Drawing {
   private redraw(): void {
     if (!this.last) return;
     const { paint, handles, says } = this.last;
-    this.layers = Array.from({ length: 4 }, () => svg("g"));
-    this.picture.setAttribute("viewBox", `0 0 ${this.size[0]} ${this.size[1]}`);
-    this.picture.setAttribute("aria-label", says);
+    set(this.picture, "viewBox", `0 0 ${this.size[0]} ${this.size[1]}`);
+    set(this.picture, "aria-label", says);
+    for (const layer of this.layers) layer.begin();
     this.texts = [];
     this.dots = [];
     this.wide = [];
     paint(this);
     this.handles.show(handles);
     this.placeTexts();
+    for (const layer of this.layers) layer.end();
     const behind = this.background();
-    if (behind[0].parentNode !== this.picture) this.picture.replaceChildren(...behind, ...Array.from({ length: 4 }, () => svg("g")));
-    this.layers.forEach((layer, i) => update(this.picture.children[behind.length + i], [...layer.childNodes]));
-    this.light(this.lit);
+    if (behind[0].parentNode !== this.picture) this.picture.replaceChildren(...behind, ...this.layers.map((layer) => layer.element));
   }
   private placeTexts(): void {
     const places = new LabelPlaces(this.size);
@@ -137,7 +137,7 @@ export class Stage2 implements Stage, Drawing {
     for (const ends of this.wide) places.keepLine(...ends, 3);
     for (const { at, text, meaning, from } of this.texts) {
       const { left, bottom } = places.place(this.pixel(at), text, from && this.pixel(from));
-      this.layers[3].append(svg("text", { x: left, y: bottom - 4, class: `of-${meaning}` }, text));
+      this.layers[3].put("text", { x: left, y: bottom - 4, class: `of-${meaning}` }, text);
     }
   }
 
@@ -163,31 +163,33 @@ export class Stage2 implements Stage, Drawing {
     return group;
   }
 
-  private attributes(meaning: Meaning, look?: Look): Record<string, unknown> {
-    const kinds = [`of-${meaning}`, look?.ghost && "ghost", look?.dashed && "dashed", look?.wide && "wide"];
-    return { class: kinds.filter(Boolean).join(" "), "data-key": look?.key };
+  /** The attributes of an element that say how it looks; of the `kind` of element that its class names first. */
+  private attributes(meaning: Meaning, look: Look = {}, kind = ""): { class: string; "data-key"?: string } {
+    const lit = look.key !== undefined && look.key === this.lit;
+    const kinds = [kind, `of-${meaning}`, look.ghost && "ghost", look.dashed && "dashed", look.wide && "wide", lit && "lit"];
+    return { class: kinds.filter(Boolean).join(" "), "data-key": look.key };
   }
   private label(at: Vec, look: Look | undefined, meaning: Meaning): void {
     if (look?.label) this.text(at, look.label, meaning);
   }
 
   shape(body: Parameters<Drawing["shape"]>[0], meaning: Meaning, look?: Look): void {
-    const path = ({ points, closed }: Outline): string =>
-      points.map((p, i) => `${i ? "L" : "M"}${this.pixel(p).map((x) => x.toFixed(2)).join(" ")}`).join("") + (closed ? "Z" : "");
-    const d = outlines(body, this.view.reach * 8).map(path).join("");
-    const attributes = this.attributes(meaning, look);
-    this.layers[0].append(svg("path", { ...attributes, class: `shape ${attributes.class}`, d }));
+    const found = outlines(body, this.view.reach * 8), attributes = this.attributes(meaning, look, "shape");
+    const places = ({ points }: Outline): string[] => points.map((p) => this.pixel(p).map((x) => x.toFixed(2)).join(" "));
+    // The points of a polygon are no style, as the path of several pieces is: a browser changes them in less time.
+    if (found.length === 1 && found[0].closed) this.layers[0].put("polygon", { ...attributes, points: places(found[0]).join(" ") });
+    else this.layers[0].put("path", { ...attributes, d: found.map((piece) => `M${places(piece).join("L")}${piece.closed ? "Z" : ""}`).join("") });
     if (look?.label) this.label(body.translation ?? [0, 0], look, meaning);
   }
   point(at: Vec, meaning: Meaning, look?: Look): void {
     const [cx, cy] = this.pixel(at), r = look?.wide ? 6 : 4;
-    this.layers[2].append(svg("circle", { ...this.attributes(meaning, look), cx, cy, r }));
+    this.layers[2].put("circle", { ...this.attributes(meaning, look), cx, cy, r });
     this.dots.push({ at: [cx, cy], radius: r });
     this.label(at, look, meaning);
   }
   line(from: Vec, to: Vec, meaning: Meaning, look?: Look): void {
     const [x1, y1] = this.pixel(from), [x2, y2] = this.pixel(to);
-    this.layers[1].append(svg("line", { ...this.attributes(meaning, look), x1, y1, x2, y2 }));
+    this.layers[1].put("line", { ...this.attributes(meaning, look), x1, y1, x2, y2 });
     if (look?.wide) this.wide.push([[x1, y1], [x2, y2]]);
     this.label(scale(add(from, to), 0.5), look, meaning);
   }
@@ -198,16 +200,14 @@ export class Stage2 implements Stage, Drawing {
     if (length(along) > 1) {
       const u = unit(along), n = [-u[1], u[0]], size = Math.min(10, length(along));
       const corner = (side: number): Vec => add(sub([x2, y2], scale(u, size)), scale(n, side * size * 0.4));
-      const d = `M${x2} ${y2}L${corner(1).join(" ")}L${corner(-1).join(" ")}Z`;
-      const attributes = this.attributes(meaning, look);
-      this.layers[2].append(svg("path", { ...attributes, class: `head ${attributes.class}`, d }));
+      const points = [[x2, y2], corner(1), corner(-1)].join(" ");
+      this.layers[2].put("polygon", { ...this.attributes(meaning, look, "head"), points });
     }
     if (look?.label) this.texts.push({ at: to, text: look.label, meaning, from });
   }
   polygon(points: Vec[], meaning: Meaning, look?: Look): void {
-    const attributes = this.attributes(meaning, look);
     const list = points.map((p) => this.pixel(p).join(",")).join(" ");
-    this.layers[look?.fill ? 0 : 1].append(svg("polygon", { ...attributes, class: `area ${attributes.class}`, points: list }));
+    this.layers[look?.fill ? 0 : 1].put("polygon", { ...this.attributes(meaning, look, "area"), points: list });
     if (look?.label) this.label(scale(points.reduce((s, p) => add(s, p), [0, 0]), 1 / points.length), look, meaning);
   }
   text(at: Vec, text: string, meaning: Meaning): void {

@@ -5,10 +5,11 @@ import { lessons } from "../lessons/index.ts";
 import type { Example, Lesson, Step } from "../lessons/lesson.ts";
 import { Choices } from "../parts/choices.ts";
 import { codeOf } from "../parts/code.ts";
-import { h, update } from "../parts/dom.ts";
+import { h, write } from "../parts/dom.ts";
 import type { Stage } from "../parts/drawing.ts";
+import { Follower } from "../parts/follower.ts";
+import { Formulas } from "../parts/formulas.ts";
 import { drawGraph } from "../parts/graph.ts";
-import { fit, formula } from "../parts/math.ts";
 import { Stage2 } from "../parts/stage2.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
@@ -19,10 +20,6 @@ import type { Room } from "./room.ts";
 
 const isState = (value: unknown): boolean =>
   typeof value === "object" && value !== null && typeof (value as State).q === "object" && typeof (value as State).q?.a === "object";
-
-/** Where words and numbers take longer than so many milliseconds, a quarter of a frame, they follow a drag at this pace
- *  only: the picture would wait for them. */
-const quick = 4, pace = 100;
 
 export class LessonRoom implements Room {
   readonly element: HTMLElement;
@@ -37,7 +34,10 @@ export class LessonRoom implements Room {
   private readonly table = new Table();
   private readonly timeline = new Timeline((step) => this.go(step), {}, 900, () => this.remember());
   private readonly still = whenStill(() => this.remember());
-  private readonly words = h("div", { class: "words", "aria-live": "polite" });
+  private readonly title = h("h2");
+  private readonly text = h("p");
+  private readonly formulas = new Formulas();
+  private readonly words = h("div", { class: "words", "aria-live": "polite" }, this.title, this.text, this.formulas.element);
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly plot = h("div", { class: "plot" });
   private readonly choices: Choices;
@@ -47,10 +47,8 @@ export class LessonRoom implements Room {
   private looked = "";
   private readonly copyQuestion = this.link("Copy as a question", () => line(this.question()!));
   private waiting = 0;
-  /** The time at which words and numbers were shown last, what that took, and the timer that shows them again. */
-  private told = 0;
-  private telling = 0;
-  private late = 0;
+  /** The words and numbers of the step, which follow the picture while something is dragged. */
+  private readonly telling = new Follower(() => this.tell());
   private settled = true;
 
   constructor(lesson: Lesson, values: Record<string, string>) {
@@ -73,7 +71,7 @@ export class LessonRoom implements Room {
 
   dispose(): void {
     cancelAnimationFrame(this.waiting);
-    clearTimeout(this.late);
+    this.telling.cancel();
     this.still.cancel();
     this.timeline.stop();
     this.stage.dispose();
@@ -179,20 +177,17 @@ export class LessonRoom implements Room {
     this.timeline.show(this.step, this.steps.length);
     const handles = this.lesson.handles(this.state).filter(({ id, named }) => !named || step.handles?.includes(id));
     this.stage.draw((drawing) => step.draw(drawing), handles, step.says);
-    clearTimeout(this.late);
-    const wait = this.settled || this.telling < quick ? 0 : this.told + pace - performance.now();
-    if (wait > 0) this.late = window.setTimeout(() => this.tell(), wait);
-    else this.tell();
+    if (this.settled) this.telling.now();
+    else this.telling.soon();
   }
   /** Shows the words and numbers of the step. */
   private tell(): void {
-    const start = performance.now(), step = this.steps[this.step];
-    update(this.words, [h("h2", {}, step.title), h("p", {}, step.text), ...(step.formula ?? []).map((text) => formula(text))]);
+    const step = this.steps[this.step];
+    write(this.title, step.title);
+    write(this.text, step.text);
     this.table.show(step.numbers);
     this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
-    this.words.querySelectorAll("math").forEach(fit); // last, so that the page is laid out once a frame
-    this.told = performance.now();
-    this.telling = this.told - start;
+    this.formulas.show(step.formula ?? [], this.settled); // last, so that the page is laid out once
   }
 
   private page(): HTMLElement {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { axisRows, example, step } from "./lesson-page.mjs";
-import { drag, frame, graze, query, short, shown, test, traced, visit } from "./harness.mjs";
+import { drag, frame, graze, numbers, query, short, shown, test, traced, visit } from "./harness.mjs";
 
 for (const id of ["separating-axes-plane", "fifteen-axes"])
   test(`${id}: after a drag every overlap is the library's to the last digit`, async () => {
@@ -49,19 +49,53 @@ for (const id of ["spheres", "separating-axes-plane", "gjk", "epa"])
     }
   });
 
+test("separating axes: each picture of a drag shows the body where it is, and touches no element that looks as before", async () => {
+  const page = await visit("#/lesson/separating-axes-plane");
+  await step(page, /^(They are apart|The least overlap wins)/);
+  await page.evaluate(() => {
+    window.lab.telling.next = performance.now() + 60_000; // the words wait until the drag ends
+    window.changes = [];
+    new MutationObserver((list) => window.changes.push(...list)).observe(document.querySelector(".stage"), { attributes: true, childList: true, subtree: true });
+  });
+  const box = await (await page.$('[data-handle="move-b"]')).boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const words = await numbers(page);
+  for (const by of [7, 19, 31]) {
+    await page.mouse.move(x + by, y - by / 2);
+    await frame(page);
+    const { q } = (await shown(page)).state, shape = graze.plane.shapeOfProtocol(q.b.shape);
+    const { points } = graze.plane.tessellate(shape, { translation: q.b.translation, rotation: q.b.rotation });
+    shape.dispose();
+    const seen = await page.$eval(".stage2 .shape.of-b", (polygon) => [...polygon.points].map(({ x, y }) => window.lab.stage.world(x, y)));
+    assert.equal(seen.length, points.length);
+    seen.forEach((p, i) => assert.ok(Math.hypot(p[0] - points[i][0], p[1] - points[i][1]) < 1e-3, `${p} for ${points[i]}`));
+    assert.equal(await numbers(page), words);
+  }
+  const touched = await page.evaluate(() => window.changes.filter(({ target, type, attributeName }) =>
+    type === "childList" || attributeName === "class" || target.matches('.shape.of-a, [data-handle$="-a"], .grid *, defs *')).map(({ target }) => target.outerHTML));
+  assert.deepEqual(touched, []);
+  await page.mouse.up();
+  await page.waitForFunction((before) => document.querySelector(".numbers").textContent !== before, words);
+  const { axes } = (await traced(page)).trace;
+  for (const { name, overlap } of await axisRows(page)) assert.equal(overlap, axes.find((axis) => axis.name === name).overlap);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("separating axes: where words take long they follow a drag later than the picture, and are there when it ends", async () => {
   const page = await visit("#/lesson/separating-axes-plane");
   await step(page, /^(They are apart|The least overlap wins)/);
   const box = await (await page.$('[data-handle="move-b"]')).boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  const seen = () => page.evaluate(() => [document.querySelector(".stage2 .shape.of-b").getAttribute("d"), document.querySelector(".numbers").textContent]);
-  /** As if they had taken a second, and had been shown so many milliseconds from now. */
-  const slow = (after) => page.evaluate((ms) => Object.assign(window.lab, { telling: 1000, told: performance.now() + ms }), after);
+  const seen = () => page.evaluate(() => [document.querySelector(".stage2 .shape.of-b").getAttribute("points"), document.querySelector(".numbers").textContent]);
+  /** As if they had taken so long that they may not be shown again before so many milliseconds. */
+  const slow = (until) => page.evaluate((ms) => (window.lab.telling.next = performance.now() + ms), until);
   await page.mouse.move(x, y);
   await page.mouse.down();
   const [shape, words] = await seen();
   await slow(60_000);
   await page.mouse.move(x + 20, y + 10);
-  await page.waitForFunction((before) => document.querySelector(".stage2 .shape.of-b").getAttribute("d") !== before, shape);
+  await page.waitForFunction((before) => document.querySelector(".stage2 .shape.of-b").getAttribute("points") !== before, shape);
   assert.equal((await seen())[1], words);
   await page.mouse.up();
   await page.waitForFunction((before) => document.querySelector(".numbers").textContent !== before, words);
