@@ -22,8 +22,9 @@ const sign = (handle: Handle): string =>
 export class Handles {
   readonly element = h("div", { class: "handles" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
-  /** Where the buttons are. */
-  private readonly places = new Map<string, string>();
+  /** The places of the buttons: elements that have no look of their own, which a browser styles in less time than a button,
+   *  and where they are. */
+  private readonly places = new Map<string, { element: HTMLElement; at: string }>();
   private handles: Handle[] = [];
   private readonly projection: Projection;
   private readonly onDrag: (id: string, to: Vec, done: boolean) => void;
@@ -36,9 +37,9 @@ export class Handles {
   show(handles: Handle[]): void {
     this.handles = handles;
     const wanted = new Set(handles.map((x) => x.id));
-    for (const [id, button] of this.buttons)
+    for (const id of this.buttons.keys())
       if (!wanted.has(id)) {
-        button.remove();
+        this.places.get(id)!.element.remove();
         this.buttons.delete(id);
         this.places.delete(id);
       }
@@ -46,8 +47,10 @@ export class Handles {
       let button = this.buttons.get(handle.id);
       if (!button) {
         button = this.make(handle);
+        const element = h("div", { class: "place-of-handle" }, button);
         this.buttons.set(handle.id, button);
-        this.element.append(button);
+        this.places.set(handle.id, { element, at: "" });
+        this.element.append(element);
       }
       set(button, "aria-label", `${handle.label} at ${handle.at.map((x) => x.toFixed(2)).join(", ")}`);
     }
@@ -57,10 +60,8 @@ export class Handles {
   place(): void {
     for (const handle of this.handles) {
       const [x, y] = this.projection.toScreen(handle.at);
-      const there = `translate(${x}px, ${y}px)`;
-      if (this.places.get(handle.id) === there) continue;
-      this.places.set(handle.id, there);
-      this.buttons.get(handle.id)!.style.transform = there;
+      const there = `translate(${x}px, ${y}px)`, place = this.places.get(handle.id)!;
+      if (place.at !== there) place.element.style.transform = place.at = there;
     }
   }
 

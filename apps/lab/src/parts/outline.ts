@@ -45,16 +45,16 @@ export function outlines(body: Body, far: number): readonly Outline[] {
 function drawn(shape: Shape, at: { translation: Vec; rotation: number }, far: number): Outline[] {
   const made: Outline[] = [];
   const same = (p: Vec, q: Vec): boolean => p[0] === q[0] && p[1] === q[1];
-  graze.plane.draw.shape(shapeOf(shape), at, {
-    center: [...at.translation.slice(0, 2), 0],
-    size: far,
-    line(from, to) {
-      const last = made.at(-1);
-      if (!last || last.closed || !same(last.points.at(-1)!, from)) made.push({ points: [from.slice(0, 2), to.slice(0, 2)], closed: false });
-      else if (same(last.points[0], to)) last.closed = true;
-      else last.points.push(to.slice(0, 2));
-    },
-  });
+  const { points, loops } = graze.plane.tessellate(shapeOf(shape), at, { center: at.translation, size: far });
+  for (const loop of loops) {
+    const piece = loop.map((i) => points[i].slice(0, 2)), last = made.at(-1);
+    if (piece.length > 2) made.push({ points: piece, closed: true });
+    else if (piece.length < 2) continue;
+    // The edges of a chain come one by one.
+    else if (!last || last.closed || !same(last.points.at(-1)!, piece[0])) made.push({ points: piece, closed: false });
+    else if (same(last.points[0], piece[1])) last.closed = true;
+    else last.points.push(piece[1]);
+  }
   return made;
 }
 
