@@ -170,7 +170,7 @@ function deep({ q }: State, axes: Axis[]): Step[] {
   const answer = ask(q), best = axes.find((x) => x.name === answer.trace.winner) ?? leastOf(axes);
   const [{ normal, points }] = answer.manifolds!, bodies = [q.a, q.b!], centers = bodies.map((body) => body.translation ?? [0, 0]);
   const c = sub(centers[1], centers[0]), boxes = bodies.every(isBox);
-  return [{
+  return [later(() => ({
     title: `The least overlap wins: ${best.name}`,
     text: `The shadows overlap on every axis, so the shapes do. Along ${best.name} it takes least to part them: ${digits(best.overlap, 5)}. That is the depth. ` +
       "Where B would be then is drawn dashed; no axis has a shorter way.",
@@ -182,7 +182,7 @@ function deep({ q }: State, axes: Axis[]): Step[] {
       ruler(d, best, bodies, { verdict: true });
       d.shape({ ...q.b!, translation: add(centers[1], scale(normal, best.overlap)) }, "b", { ghost: true, dashed: true });
     },
-  }, later(() => ({
+  })), later(() => ({
     title: "The normal points from A to B",
     text: boxes ? "A side's normal and its opposite are the same axis. The one that points from A's centre towards B's is the normal: c·n is not negative. Pushed along it, B moves away " +
         "from A; along the other it would go through A."
@@ -199,7 +199,7 @@ function deep({ q }: State, axes: Axis[]): Step[] {
       }
       d.arrow(boxes ? centers[0] : points[0].a, add(boxes ? centers[0] : points[0].a, normal), "axis", { label: "n", wide: true });
     },
-  })), {
+  })), later(() => ({
     title: points.length > 1 ? "The points" : "The point",
     text: `Along n, ${points.length > 1 ? "these points of B are" : "this point of B is"} deepest in A, by the depth below the side of A or B that the axis belongs to. ` +
       "Normal, depth and points: a contact is complete.",
@@ -211,7 +211,7 @@ function deep({ q }: State, axes: Axis[]): Step[] {
       drawBodies(d, q);
       drawContacts(d, answer.manifolds ?? []);
     },
-  }];
+  }))];
 }
 
 export const separatingAxesPlane: Lesson = {
@@ -268,14 +268,14 @@ export const separatingAxesPlane: Lesson = {
       })));
     });
     const apart = !answer.overlap;
-    steps.push({
+    steps.push(later(() => ({
       title: "Guess before you go on",
       text: apart ? "They are apart, that is proven. But how far? Look at the gaps in the table and at the picture: is one of them the distance? Which points are nearest?"
         : "No axis separates them, so they overlap. Which axis is the shortest way to part them, and which way has B to go? Look at the table, say it, then go on.",
       numbers: axisTable(axes, ""),
       says: apart ? "Apart. How far?" : "They overlap. Which way out?",
       draw: paint,
-    });
+    })));
     return [...steps, ...(apart ? farApart(state, axes) : deep(state, axes))];
   },
   tryThis: [
