@@ -1,8 +1,8 @@
 // The decimal of the fewest digits that reads back to the same number.
 //
 // Guarantee: of all decimals that round to the number one with the fewest digits, and of those the nearest; of two that
-// are as near the even one. Exact: multiplied by a power of ten, the number and the middles between it and its neighbours
-// are whole multiples of a power of two, and 128 bits hold them.
+// are as near the even one. Exact: multiplied by a power of ten, the number and the middles between it and its
+// neighbours are whole multiples of a power of two, and 128 bits hold them.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct Decimal {
 
 namespace detail {
 
-__extension__ using Wide = unsigned __int128;
+__extension__ using Wide128 = unsigned __int128;
 
 /// The powers of five that fit, up to the 27th.
 inline constexpr auto powers_of_five = [] {
@@ -31,19 +31,19 @@ inline constexpr auto powers_of_five = [] {
 }();
 
 /// A positive number times a power of ten, and the numbers that round to it, all in units of 2^-shift.
-struct Rounded {
-  Wide value, lowest, highest;
+struct Scaled {
+  Wide128 value, lowest, highest;
   int shift;
 
   bool has(std::uint64_t whole) const {
-    const Wide w = static_cast<Wide>(whole) << shift;
+    const Wide128 w = static_cast<Wide128>(whole) << shift;
     return lowest <= w && w <= highest;
   }
   /// The nearest multiple of `step` that rounds to the number, or 0.
   std::uint64_t nearest(std::uint64_t step) const {
     const std::uint64_t below = static_cast<std::uint64_t>(value >> shift) / step, above = below + 1;
-    const Wide down = value - (static_cast<Wide>(below * step) << shift);
-    const Wide up = (static_cast<Wide>(above * step) << shift) - value;
+    const Wide128 down = value - (static_cast<Wide128>(below * step) << shift);
+    const Wide128 up = (static_cast<Wide128>(above * step) << shift) - value;
     const bool prefers_above = up < down || (up == down && above % 2 == 0);
     const std::uint64_t first = step * (prefers_above ? above : below), second = step * (prefers_above ? below : above);
     return has(first) ? first : has(second) ? second : 0;
@@ -64,20 +64,20 @@ std::optional<Decimal> shortest_decimal(T number) {
       static_cast<std::uint64_t>(std::ldexp(std::frexp(static_cast<double>(number), &exponent), wide_digits));
   // 10^tens · number has 17 or 18 digits: 1233 / 4096 is the logarithm of two closely enough for these exponents.
   const int tens = 16 - (((exponent - 1) * 1233) >> 12);
-  const detail::Wide five = detail::powers_of_five[static_cast<std::size_t>(tens)];
+  const detail::Wide128 five = detail::powers_of_five[static_cast<std::size_t>(tens)];
 
-  // In quarters of the significand's unit, so that the middles to both neighbours are whole: a power of two has its lower
-  // one half as far away. A decimal in such a middle is read as the number if that is even.
+  // In quarters of the significand's unit, so that the middles to both neighbours are whole: a power of two has its
+  // lower one half as far away. A decimal in such a middle is read as the number if that is even.
   const std::uint64_t gap = std::uint64_t(4) << (wide_digits - digits);
   const bool is_power_of_two = significand == std::uint64_t(1) << (wide_digits - 1);
   const bool is_even = significand / (gap / 4) % 2 == 0;
-  const detail::Wide value = five * (4 * significand), edge = is_even ? 0 : 1;
-  const detail::Rounded rounded{value, value - five * (is_power_of_two ? gap / 4 : gap / 2) + edge,
-                                value + five * (gap / 2) - edge, wide_digits + 2 - exponent - tens};
+  const detail::Wide128 value = five * (4 * significand), edge = is_even ? 0 : 1;
+  const detail::Scaled scaled{value, value - five * (is_power_of_two ? gap / 4 : gap / 2) + edge,
+                              value + five * (gap / 2) - edge, wide_digits + 2 - exponent - tens};
 
-  std::uint64_t step = 1, found = rounded.nearest(step);
+  std::uint64_t step = 1, found = scaled.nearest(step);
   int zeros = 0;
-  for (std::uint64_t next = rounded.nearest(10); next != 0; next = rounded.nearest(10 * step)) {
+  for (std::uint64_t next = scaled.nearest(10); next != 0; next = scaled.nearest(10 * step)) {
     step *= 10;
     ++zeros;
     found = next;

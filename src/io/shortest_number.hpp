@@ -1,8 +1,8 @@
 // The shortest text that reads back to the same number, where the standard library has no `std::to_chars` for it.
 //
 // Guarantee: the text of `std::to_chars`: the fewest digits that read back, of fixed and scientific notation the
-// shorter one, and fixed where both are as long. Below 2^-34 and above whole numbers without gaps, at powers of two, one
-// digit more is possible; and up to three conversions are taken there, of denormal numbers up to seventeen.
+// shorter one, and fixed where both are as long. Below 2^-34 and above whole numbers without gaps, at powers of two,
+// one digit more is possible; and up to three conversions are taken there, of denormal numbers up to seventeen.
 #pragma once
 
 #include <algorithm>

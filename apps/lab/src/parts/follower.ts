@@ -1,5 +1,5 @@
-// Something that follows a drag without slowing it: it takes a small share of the time, and comes late rather than to have
-// the picture wait for it.
+// Something that follows a drag without slowing it: it takes a small share of the time, and comes late rather than to
+// have the picture wait for it.
 
 /** Followers take one part of so many of the time, not counted what the browser needs to lay out and paint them. */
 const share = 48;

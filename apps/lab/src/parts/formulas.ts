@@ -1,5 +1,5 @@
-// The formulas of a step, one below the other. One whose text is as before stays as it is, and their widths are asked for
-// where nothing is dragged only: a browser takes longer to lay out MathML than to draw the picture beside it.
+// The formulas of a step, one below the other. One whose text is as before stays as it is, and widths are asked for
+// only while nothing is dragged: a browser takes longer to lay out MathML than to draw the picture beside it.
 
 import { h, update } from "./dom.ts";
 import { fit, formula } from "./math.ts";

@@ -22,8 +22,8 @@ const sign = (handle: Handle): string =>
 export class Handles {
   readonly element = h("div", { class: "handles" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
-  /** The places of the buttons: elements that have no look of their own, which a browser styles in less time than a button,
-   *  and where they are. */
+  /** The places of the buttons: elements without a look of their own, which a browser styles in less time than a
+   *  button, and where they are. */
   private readonly places = new Map<string, { element: HTMLElement; at: string }>();
   private handles: Handle[] = [];
   private readonly projection: Projection;

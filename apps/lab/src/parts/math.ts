@@ -95,8 +95,8 @@ export function formula(text: string): Element {
   return math;
 }
 
-/** Shrinks formulas that are wider than their place, down to what can still be read; the rest can be scrolled to. All are
- *  measured before the first is changed, so that they are laid out once. */
+/** Shrinks formulas that are wider than their place, down to what can still be read; the rest can be scrolled to. All
+ *  are measured before the first is changed, so that they are laid out once. */
 export function fit(shown: HTMLElement[]): void {
   const smallest = 0.6;
   for (const one of shown) one.style.fontSize = "";

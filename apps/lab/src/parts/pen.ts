@@ -1,10 +1,11 @@
-// A layer of an SVG picture that is drawn anew for each frame, while its elements stay: of what stands there already only
-// the attributes and words that differ are changed. A browser then makes, styles and lays out nothing that looks as before.
+// A layer of an SVG picture that is drawn anew for each frame, while its elements stay: of what stands there already
+// only the attributes and words that differ are changed. A browser then makes, styles and lays out nothing that looks
+// as before.
 
 import { svg } from "./dom.ts";
 
 type Attributes = Record<string, string | number | undefined>;
-/** An element that was drawn, with what it was drawn with: to ask the page for it would take longer than to remember. */
+/** An element that was drawn, and what it was drawn with, which the page could tell only more slowly. */
 interface Drawn {
   tag: string;
   element: SVGElement;
