@@ -40,7 +40,7 @@ const mostDrawn = 200;
 /** A place alone: an address may hold more beside it. */
 const placed = (of: Place | undefined): Place | undefined => of && { translation: of.translation, rotation: of.rotation };
 /** The part of a follower that a body of a scene has. */
-const shaped = (of: Follower | undefined): Partial<SceneBody> | undefined => of && { translation: of.translation, rotation: of.rotation, shape: of.shape };
+const shaped = (of: Pick<Follower, "translation" | "rotation" | "shape"> | undefined): Partial<SceneBody> | undefined => of && { translation: of.translation, rotation: of.rotation, shape: of.shape };
 /** Called with a capture that was opened in place of a scene, and with the watched file if it is served. */
 export type OnCapture = (name: string, captured: Captured, served: Served | null) => void;
 
@@ -343,12 +343,15 @@ export class SceneRoom implements Room {
 
   // --- Animations ---
 
-  /** Shows another moment of an animation; a run that was played begins anew there. */
+  /** Shows another moment of an animation; a run that was played begins anew there. What only the animation before
+   *  moved is at rest again. */
   private animate(at: Animated): void {
     if (this.play.run.played) return this.begin({ animated: at });
+    const left = [...this.followers.keys()];
     this.setAnimated(at);
-    this.play.run.putAll(this.followers);
-    for (const [i, follower] of this.followers) Object.assign(this.play.scene.bodies[i], shaped(follower));
+    const places = new Map([...left.map((i) => [i, this.before[i]] as const), ...this.followers]);
+    this.play.run.putAll(places);
+    for (const [i, place] of places) Object.assign(this.play.scene.bodies[i], shaped(place));
     this.show();
   }
   /** Takes an animation and its time over, but for its drawing. */

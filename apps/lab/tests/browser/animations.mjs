@@ -62,7 +62,13 @@ test("animations: bodies follow their nodes, as the file's keys say, and touch w
   const [growthTimes, scales] = numbers(1, 0), largest = Math.floor(scales.indexOf(Math.max(...scales)) / 3), rest = (await bodies(page)).crate.shape;
   await slide(page, Math.round(60 * growthTimes[largest]));
   near((await bodies(page)).crate.shape.box.size, rest.box.size.map((x, k) => x * scales[3 * largest + k]), "the crate");
-  // The address leads back, undo to the moment before.
+  // The address, once it is written, leads back, undo to the moment before. What only the first animation moved is at
+  // rest in the second.
+  await page.waitForFunction((time) => {
+    const { animated } = JSON.parse(new URLSearchParams(location.hash.split("?")[1]).get("at") ?? "{}");
+    return animated?.number === 1 && Math.abs(animated.time - time) < 1e-9;
+  }, Math.round(60 * growthTimes[largest]) / 60);
+  near((await bodies(page)).pendulum.translation, [3, 2, 0], "the pendulum at rest");
   const there = await page.evaluate(() => window.lab.shown.poses), other = await visit(await page.evaluate(() => location.hash), small);
   await other.waitForFunction(() => window.lab.shown.bodies > 0);
   if (/[?&]s=/.test(other.url())) assert.deepEqual((await other.evaluate(() => window.lab.shown)).poses, there);
