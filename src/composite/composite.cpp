@@ -150,7 +150,6 @@ template <class T>
   TouchingPieces<T> found{whole_a, whole_b, beside, margin, singly || !(margin >= T(0)), ManifoldGroups<T>(manifolds)};
   visit_convex_pairs<T>(whole_a, whole_b, {margin, nullptr, true}, PairVisitor<T>(found));
   found.add_ways_out();
-  found.groups.finish();
   const bool solid = has_solid_mesh(a) || has_solid_mesh(b);
   if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds, found.groups);
   const T size = least(size_about_origin(a), size_about_origin(b));
@@ -158,6 +157,7 @@ template <class T>
   if (found.touching() ? !any_as_deep(manifolds, first, found.least_distance + size * shallower<T>)
                        : none && found.near_alone())
     found.add_last_resort();
+  found.groups.finish();
   found.groups.name_spanning(size);
   return found.least_distance;
 }

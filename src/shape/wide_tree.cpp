@@ -83,13 +83,8 @@ class BinaryBuilder {
     return spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
   }
 
-  /// The work for so many pieces: a leaf's are looked at together, however many it has.
-  static T looks(std::size_t count) {
-    return static_cast<T>((count + WideTree<T>::leaf_size - 1) / WideTree<T>::leaf_size);
-  }
-
   /// The split between two bins along the axis on which the middles spread most that costs least: the sum of both
-  /// sides' areas times the work for their pieces. None when the middles coincide, or areas over- or underflow.
+  /// sides' areas times their counts. None when the middles coincide, or areas over- or underflow.
   Split<T> best_split(const Range<T>& range) const {
     Split<T> split;
     split.axis = widest_axis(range);
@@ -116,7 +111,7 @@ class BinaryBuilder {
     for (std::size_t i = split.bins - 1; i > 0; --i) {
       box = merged(box, boxes[i]);
       count += counts[i];
-      right_cost[i] = surface_area(box) * looks(count);
+      right_cost[i] = surface_area(box) * static_cast<T>(count);
     }
     box = Aabb<T>::empty();
     count = 0;
@@ -125,7 +120,7 @@ class BinaryBuilder {
       box = merged(box, boxes[i - 1]);
       count += counts[i - 1];
       if (count == 0 || count == range.count()) continue;
-      const T cost = surface_area(box) * looks(count) + right_cost[i];
+      const T cost = surface_area(box) * static_cast<T>(count) + right_cost[i];
       if (!(cost < least_cost)) continue;
       least_cost = cost;
       split.at = i;
@@ -200,8 +195,6 @@ void set_lane(TreeNode<T>& node, std::size_t i, const Aabb<T>& box) {
   }
 }
 
-}  // namespace
-
 /// Which nodes of a binary tree to make wide: the choice whose nodes and leaves are met least often by what is met in
 /// proportion to area (Ylitie, Karras, Laine 2017, section 4).
 template <class T>
@@ -266,6 +259,8 @@ class Collapse {
   const std::vector<BinaryNode<T>>& binary_;
   std::vector<Costs> costs_;
 };
+
+}  // namespace
 
 /// Makes the binary tree wide.
 template <class T>

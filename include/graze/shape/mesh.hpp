@@ -30,7 +30,7 @@ class GRAZE_API Mesh {
   using Index = std::array<std::uint32_t, 3>;  ///< three indices of points
 
   /// A mesh whose `triangles` index `points`, counter-clockwise seen from outside. Cost n log n, half a second for a
-  /// million triangles. In float a connected surface keeps under 60 bytes for each triangle, points and triangles
+  /// million triangles. In float a connected surface keeps some 60 bytes for each triangle, points and triangles
   /// included (`memory`). A `solid` mesh is a body and not a surface: shapes wholly inside it touch it. Throws
   /// `InvalidValue`, also for a solid that is not `closed`.
   Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides = Sides::both, bool solid = false);
