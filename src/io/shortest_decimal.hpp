@@ -56,24 +56,24 @@ struct Scaled {
 /// more bits, and have none.
 template <class T>
 std::optional<Decimal> shortest_decimal(T number) {
-  constexpr int digits = std::numeric_limits<T>::digits, wide_digits = 53;
-  if (!(number >= T(0x1p-34)) || number >= std::ldexp(T(1), digits)) return std::nullopt;
+  constexpr int own_bits = std::numeric_limits<T>::digits, wide_bits = 53;
+  if (!(number >= T(0x1p-34)) || number >= std::ldexp(T(1), own_bits)) return std::nullopt;
   // number = significand · 2^(exponent - 53), whatever its type.
   int exponent = 0;
   const auto significand =
-      static_cast<std::uint64_t>(std::ldexp(std::frexp(static_cast<double>(number), &exponent), wide_digits));
+      static_cast<std::uint64_t>(std::ldexp(std::frexp(static_cast<double>(number), &exponent), wide_bits));
   // 10^tens · number has 17 or 18 digits: 1233 / 4096 is the logarithm of two closely enough for these exponents.
   const int tens = 16 - (((exponent - 1) * 1233) >> 12);
   const detail::Wide128 five = detail::powers_of_five[static_cast<std::size_t>(tens)];
 
   // In quarters of the significand's unit, so that the middles to both neighbours are whole: a power of two has its
   // lower one half as far away. A decimal in such a middle is read as the number if that is even.
-  const std::uint64_t gap = std::uint64_t(4) << (wide_digits - digits);
-  const bool is_power_of_two = significand == std::uint64_t(1) << (wide_digits - 1);
+  const std::uint64_t gap = std::uint64_t(4) << (wide_bits - own_bits);
+  const bool is_power_of_two = significand == std::uint64_t(1) << (wide_bits - 1);
   const bool is_even = significand / (gap / 4) % 2 == 0;
-  const detail::Wide128 value = five * (4 * significand), edge = is_even ? 0 : 1;
-  const detail::Scaled scaled{value, value - five * (is_power_of_two ? gap / 4 : gap / 2) + edge,
-                              value + five * (gap / 2) - edge, wide_digits + 2 - exponent - tens};
+  const detail::Wide128 value = five * (4 * significand), excluded = is_even ? 0 : 1;
+  const detail::Scaled scaled{value, value - five * (is_power_of_two ? gap / 4 : gap / 2) + excluded,
+                              value + five * (gap / 2) - excluded, wide_bits + 2 - exponent - tens};
 
   std::uint64_t step = 1, found = scaled.nearest(step);
   int zeros = 0;
