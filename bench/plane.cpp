@@ -1,28 +1,29 @@
 // The plane beside Debian's Box2D 2.4, on one thread: times are the least of the rounds, in ns a pair.
 //
-//   bench_plane [--pairs N] [--cached N] [--rounds N] [--base N] [--steps N] [--pyramid]
+//   bench_plane [--pairs N] [--cached N] [--rounds N] [--scale S] [--steps N] [--scene REGEX]
 //
-// plane_pairs.hpp says which pairs, plane_contacts.cpp and plane_motion.cpp what is asked, plane_pyramid.cpp what is
-// played.
+// plane_pairs.hpp says which pairs, plane_contacts.cpp and plane_motion.cpp what is asked, plane_scenes.cpp what
+// is played.
 #include <cstdio>
 
 #include "command_line.hpp"
 #include "plane_pairs.hpp"
+#include "plane_scene.hpp"
 
 int main(int argc, char** argv) {
   using namespace graze::plane;
   Options options;
-  bool pyramid_alone = false;
+  std::string scenes;
   graze::bench::CommandLine("Contacts, distances, casts and rays in the plane, beside Box2D.")
       .number("--pairs", options.pairs, "pairs of a batch")
       .number("--cached", options.cached, "pairs that are asked about one at a time, over and over")
       .number("--rounds", options.rounds, "rounds, of which the fastest counts")
-      .number("--base", options.base, "boxes in the lowest row of the pyramid")
-      .number("--steps", options.steps, "steps that the pyramid is played")
-      .flag("--pyramid", pyramid_alone, "the pyramid alone")
+      .real("--scale", options.scale, "bodies along each side of a scene, times those of the table")
+      .number("--steps", options.steps, "steps that a scene is played at most")
+      .expression("--scene", scenes, "the scenes alone that match it")
       .read(argc, argv);
-  if (pyramid_alone) {
-    print_pyramid(options.base, options.steps);
+  if (!scenes.empty()) {
+    print_scenes(scenes, options.scale, options.steps);
     return 0;
   }
   std::printf("%-24s %6s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s\n", "", "", "contacts", "", "distance", "",
@@ -59,5 +60,5 @@ int main(int argc, char** argv) {
     some.push_back(make_pairs(row.a, row.b, row.spread, false, options.cached));
   }
   print_mixed_casts(options, some);
-  print_pyramid(options.base, options.steps);
+  print_scenes(".", options.scale, options.steps);
 }

@@ -39,7 +39,8 @@ struct Pairs {
 Pairs make_pairs(Kind kind_a, Kind kind_b, double spread, bool stacked, std::size_t count);
 
 struct Options {
-  std::size_t pairs = 100000, cached = 2000, rounds = 12, base = 100, steps = 600;
+  std::size_t pairs = 100000, cached = 2000, rounds = 12, steps = 600;
+  double scale = 1;
 };
 
 /// The least time of a pair, in ns, of `turns` passes over `count` pairs.
@@ -64,7 +65,5 @@ void print_motion_head();
 void print_motion_row(const Options& options, const std::string& name, const Pairs& pairs);
 /// A line on casts of pairs of all rows in no order.
 void print_mixed_casts(const Options& options, const std::vector<Pairs>& rows);
-/// A table of a pyramid with `base` boxes in its lowest row.
-void print_pyramid(std::size_t base, std::size_t steps);
 
 }  // namespace graze::plane

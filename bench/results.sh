@@ -45,7 +45,7 @@ if [[ $quick == yes ]]; then
   casts=(--pairs 500 --largest 10000)
   typed=(--pairs 2000 --rounds 9)
   compact=(--pairs 4000 --rounds 9)
-  plane=(--pairs 10000 --rounds 3 --base 20 --steps 100)
+  plane=(--pairs 10000 --rounds 3 --scale 0.2 --steps 100)
   compare=(--quick)
 else
   page=bench/RESULTS.md

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dynamics/islands.hpp"
+
 namespace graze {
 
 namespace {
@@ -71,6 +73,7 @@ void JointSystem<T, Space>::prepare(std::span<const JointRows<T, Space>> joint_r
                                     std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
                                     std::span<const std::uint8_t> movable) {
   links_.clear();
+  linkages_.clear();
   loops_.clear();
   holds_all_ = true;
   held_.assign(bodies.size(), 0);
@@ -99,27 +102,72 @@ void JointSystem<T, Space>::prepare(std::span<const JointRows<T, Space>> joint_r
   for (const bool moves : {false, true})
     for (std::uint32_t i = 0; i < movable.size(); ++i)
       if ((movable[i] != 0) == moves && reached[i] == 0 && !joints.of(i).empty()) reach_from(i);
-  find_loops(joint_rows, bodies, movable);
+  find_linkages(joint_rows, bodies, movable);
 }
 
-/// Finds the joints of no tree, as many as may be solved at once.
+/// Finds what the joints of no tree close, each linkage by itself.
 template <class T, class Space>
-void JointSystem<T, Space>::find_loops(std::span<const JointRows<T, Space>> joints,
-                                       std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
-                                       std::span<const std::uint8_t> movable) {
-  std::size_t rows = 0;
+void JointSystem<T, Space>::find_linkages(std::span<const JointRows<T, Space>> joints,
+                                          std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
+                                          std::span<const std::uint8_t> movable) {
+  std::vector<std::uint32_t> moved;
+  std::vector<IslandLink> ties;
+  bool closed = false;
   for (std::uint32_t j = 0; j < bodies.size(); ++j) {
     const auto [a, b] = bodies[j];
-    if (held_[j] != 0 || (movable[a] == 0 && movable[b] == 0)) continue;
-    const std::size_t more = rows + joints[j].locked();
-    held_[j] = more <= most_loop_rows && more * links_.size() <= most_loop_work;
-    if (held_[j] == 0) {
-      holds_all_ = false;
-      continue;
-    }
-    loops_.push_back({j, a, b, rows, joints[j].locked()});
-    rows = more;
+    if (movable[a] == 0 && movable[b] == 0) continue;
+    moved.push_back(j);
+    ties.push_back({a, b});
+    closed = closed || held_[j] == 0;
   }
+  if (!closed) return;
+  Islands groups;
+  groups.find(movable, ties);
+  std::vector<std::uint32_t> group_of(movable.size());
+  for (std::uint32_t g = 0; g < groups.ranges().size(); ++g)
+    for (const std::uint32_t i : groups.bodies_of(groups.ranges()[g])) group_of[i] = g;
+  const auto group = [&](const Link& link) { return group_of[link.body]; };
+  std::stable_sort(links_.begin(), links_.end(), [&](const Link& p, const Link& q) { return group(p) < group(q); });
+  std::size_t first = 0;
+  for (std::uint32_t g = 0; g < groups.ranges().size(); ++g) {
+    std::size_t end = first;
+    while (end < links_.size() && group(links_[end]) == g) ++end;
+    std::vector<std::uint32_t> closing;
+    for (const std::uint32_t tie : groups.links_of(groups.ranges()[g]))
+      if (held_[moved[tie]] == 0) closing.push_back(moved[tie]);
+    if (!closing.empty()) add_linkage({.first_link = first, .end_link = end}, joints, bodies, closing);
+    first = end;
+  }
+}
+
+/// Adds a linkage with as many of its loops as may be solved at once; with none if those would be fewer than half,
+/// since the others would give way all the same.
+template <class T, class Space>
+void JointSystem<T, Space>::add_linkage(Linkage linkage, std::span<const JointRows<T, Space>> joints,
+                                        std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
+                                        std::span<const std::uint32_t> closing) {
+  const std::size_t links = linkage.end_link - linkage.first_link;
+  linkage.first_loop = loops_.size();
+  if (!linkages_.empty()) {
+    const Linkage& last = linkages_.back();
+    linkage.first_row = last.first_row + last.rows;
+    linkage.first_factor = last.first_factor + last.rows * last.rows;
+  }
+  for (const std::uint32_t j : closing) {
+    const std::size_t rows = joints[j].locked(), more = linkage.rows + rows;
+    if (more > most_loop_rows || more * links > most_loop_work) continue;
+    loops_.push_back({j, bodies[j].first, bodies[j].second, linkage.rows, rows});
+    linkage.rows = more;
+  }
+  linkage.end_loop = loops_.size();
+  const std::size_t solved = linkage.end_loop - linkage.first_loop;
+  holds_all_ = holds_all_ && solved == closing.size();
+  if (2 * solved < closing.size()) {
+    loops_.resize(linkage.first_loop);
+    return;
+  }
+  for (const Loop& loop : loops_of(linkage)) held_[loop.joint] = 1;
+  linkages_.push_back(linkage);
 }
 
 template <class T, class Space>
@@ -175,13 +223,17 @@ void JointSystem<T, Space>::factor(std::span<const JointRows<T, Space>> joints,
   for (const Link& link : links_) set_alone(link.body), set_alone(link.next);
   for (const Loop& loop : loops_) set_alone(loop.a), set_alone(loop.b);
   for (std::size_t i = links_.size(); i-- > 0;) tie(links_[i], joints[links_[i].joint]);
-  if (!loops_.empty()) factor_loops(joints);
+  if (linkages_.empty()) return;
+  set_loop_rows(joints);
+  velocity_.assign(responses_.size(), {});
+  for (const Linkage& linkage : linkages_) factor_loops(linkage);
 }
 
 /// Sets the rows of the joints that close loops where they are now.
 template <class T, class Space>
 void JointSystem<T, Space>::set_loop_rows(std::span<const JointRows<T, Space>> joints) {
   loop_rows_.clear();
+  loop_factors_.assign(linkages_.back().first_factor + linkages_.back().rows * linkages_.back().rows, T(0));
   for (const Loop& loop : loops_) {
     const JointRows<T, Space>& joint = joints[loop.joint];
     for (std::size_t i = 0; i < loop.rows; ++i) {
@@ -193,13 +245,15 @@ void JointSystem<T, Space>::set_loop_rows(std::span<const JointRows<T, Space>> j
   }
 }
 
-/// Sets `velocity_` to the velocities of all bodies by an impulse of 1 on a loop's row, with the trees holding.
+/// Sets `velocity_` to the velocities of a linkage's bodies by an impulse of 1 on a loop's row, with the trees holding.
 template <class T, class Space>
-void JointSystem<T, Space>::respond_to(const Loop& loop, const LoopRow& row) {
-  velocity_.assign(responses_.size(), {});
+void JointSystem<T, Space>::respond_to(const Linkage& linkage, const Loop& loop, const LoopRow& row) {
+  const auto links = std::span(links_).subspan(linkage.first_link, linkage.end_link - linkage.first_link);
+  for (const Link& link : links) velocity_[link.body] = velocity_[link.next] = {};
   velocity_[loop.a] = times(responses_[loop.a].alone, row.of_a);
   velocity_[loop.b] = times(responses_[loop.b].alone, row.of_b);
   sweep(
+      links,
       [&](const Link& link) {
         Rows rates{};
         for (std::size_t i = 0; i < link.rows; ++i)
@@ -215,18 +269,19 @@ void JointSystem<T, Space>::respond_to(const Loop& loop, const LoopRow& row) {
 }
 
 template <class T, class Space>
-void JointSystem<T, Space>::factor_loops(std::span<const JointRows<T, Space>> joints) {
-  set_loop_rows(joints);
-  const std::size_t n = loop_rows_.size();
-  loop_factors_.assign(n * n, T(0));
-  const auto lower = [&](std::size_t i, std::size_t j) -> T& { return loop_factors_[i * n + j]; };
-  for (const Loop& loop : loops_)
+void JointSystem<T, Space>::factor_loops(const Linkage& linkage) {
+  const std::span<const LoopRow> rows = rows_of(linkage);
+  const std::size_t n = rows.size();
+  const auto lower = [&](std::size_t i, std::size_t j) -> T& {
+    return loop_factors_[linkage.first_factor + i * n + j];
+  };
+  for (const Loop& loop : loops_of(linkage))
     for (std::size_t k = loop.first_row; k < loop.first_row + loop.rows; ++k) {
-      respond_to(loop, loop_rows_[k]);
-      for (const Loop& other : loops_)
+      respond_to(linkage, loop, rows[k]);
+      for (const Loop& other : loops_of(linkage))
         for (std::size_t i = std::max(k, other.first_row); i < other.first_row + other.rows; ++i)
-          lower(i, k) = inner(loop_rows_[i].of_a, velocity_[other.a]) + inner(loop_rows_[i].of_b, velocity_[other.b]);
-      lower(k, k) += loop_rows_[k].yielding;
+          lower(i, k) = inner(rows[i].of_a, velocity_[other.a]) + inner(rows[i].of_b, velocity_[other.b]);
+      lower(k, k) += rows[k].yielding;
     }
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j <= i; ++j) {
@@ -234,23 +289,24 @@ void JointSystem<T, Space>::factor_loops(std::span<const JointRows<T, Space>> jo
       for (std::size_t m = 0; m < j; ++m)
         if (lower(m, m) > T(0)) k -= lower(i, m) * lower(j, m) / lower(m, m);
       // A row that yields leaves a pivot; rounding may still take one away, as of a body that nothing turns.
-      lower(i, j) = j < i ? k * lower(j, j) : k > loop_rows_[i].yielding / T(2) ? T(1) / k : T(0);
+      lower(i, j) = j < i ? k * lower(j, j) : k > rows[i].yielding / T(2) ? T(1) / k : T(0);
     }
 }
 
-/// One pass over the rows of loops. With `bias` they yield to the impulses that they bear by now.
+/// One pass over the rows of a linkage's loops. With `bias` they yield to the impulses that they bear by now.
 template <class T, class Space>
-void JointSystem<T, Space>::solve_loops(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies,
-                                        bool bias) {
-  const std::size_t n = loop_rows_.size();
-  const auto lower = [&](std::size_t i, std::size_t j) { return loop_factors_[i * n + j]; };
+void JointSystem<T, Space>::solve_loops(const Linkage& linkage, std::span<JointRows<T, Space>> joints,
+                                        std::span<SolverBody<T, Space>> bodies, bool bias) {
+  const std::span<const LoopRow> rows = rows_of(linkage);
+  const std::size_t n = rows.size();
+  const auto lower = [&](std::size_t i, std::size_t j) { return loop_factors_[linkage.first_factor + i * n + j]; };
   std::vector<T>& v = loop_rates_;
   v.assign(n, T(0));
-  for (const Loop& loop : loops_) {
+  for (const Loop& loop : loops_of(linkage)) {
     const Rows wanted = joints[loop.joint].wanted(bodies[loop.a], bodies[loop.b], bias);
     for (std::size_t i = 0; i < loop.rows; ++i) {
       const std::size_t k = loop.first_row + i;
-      v[k] = wanted[i] - (bias ? loop_rows_[k].yielding * joints[loop.joint].locked_impulse(i) : T(0));
+      v[k] = wanted[i] - (bias ? rows[k].yielding * joints[loop.joint].locked_impulse(i) : T(0));
     }
   }
   for (std::size_t i = 0; i < n; ++i)
@@ -258,7 +314,7 @@ void JointSystem<T, Space>::solve_loops(std::span<JointRows<T, Space>> joints, s
   for (std::size_t i = 0; i < n; ++i) v[i] *= lower(i, i);
   for (std::size_t i = n; i-- > 0;)
     for (std::size_t j = i + 1; j < n; ++j) v[i] -= lower(j, i) * v[j];
-  for (const Loop& loop : loops_) {
+  for (const Loop& loop : loops_of(linkage)) {
     Rows impulses{};
     for (std::size_t i = 0; i < loop.rows; ++i) impulses[i] = v[loop.first_row + i];
     joints[loop.joint].push_locked(impulses, bodies[loop.a], bodies[loop.b]);
@@ -267,11 +323,11 @@ void JointSystem<T, Space>::solve_loops(std::span<JointRows<T, Space>> joints, s
 
 template <class T, class Space>
 template <class Wanted, class Push>
-void JointSystem<T, Space>::sweep(const Wanted& wanted, const Push& push) {
-  for (const Link& link : links_)
+void JointSystem<T, Space>::sweep(std::span<Link> links, const Wanted& wanted, const Push& push) {
+  for (const Link& link : links)
     for (const std::uint32_t i : {link.body, link.next}) responses_[i].change = responses_[i].pushed = {};
-  for (std::size_t l = links_.size(); l-- > 0;) {
-    Link& link = links_[l];
+  for (std::size_t l = links.size(); l-- > 0;) {
+    Link& link = links[l];
     const Freedoms& change = responses_[link.body].change;
     Freedoms& of_next = responses_[link.next].change;
     Rows rates = wanted(link);
@@ -280,7 +336,7 @@ void JointSystem<T, Space>::sweep(const Wanted& wanted, const Push& push) {
     link.impulses = link.factors.solved(rates);
     for (std::size_t i = 0; i < link.rows; ++i) add(of_next, link.response[i], link.impulses[i]);
   }
-  for (Link& link : links_) {
+  for (Link& link : links) {
     Freedoms& on_next = responses_[link.next].pushed;
     Rows late{};
     for (std::size_t i = 0; i < link.rows; ++i) late[i] = -inner(link.response[i], on_next);
@@ -301,6 +357,7 @@ void JointSystem<T, Space>::solve_trees(std::span<JointRows<T, Space>> joints, s
     return link.body_is_a ? std::pair(link.body, link.next) : std::pair(link.next, link.body);
   };
   sweep(
+      links_,
       [&](const Link& link) {
         const auto [a, b] = ends(link);
         return joints[link.joint].wanted(bodies[a], bodies[b], bias);
@@ -315,8 +372,8 @@ template <class T, class Space>
 void JointSystem<T, Space>::solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies,
                                   bool bias) {
   solve_trees(joints, bodies, bias);
-  if (loop_rows_.empty()) return;
-  solve_loops(joints, bodies, bias);
+  if (linkages_.empty()) return;
+  for (const Linkage& linkage : linkages_) solve_loops(linkage, joints, bodies, bias);
   solve_trees(joints, bodies, bias);
 }
 

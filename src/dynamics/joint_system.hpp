@@ -7,14 +7,14 @@
 // robot dynamics using articulated-body inertias"; Baraff 1996, "Linear-time dynamics using Lagrange multipliers").
 // Responses are inverse masses, so that a body that cannot move or turn is no case of its own.
 //
-// Joints that close loops are solved after the trees, all rows of them at once, by their response with the trees
+// Joints that close loops are solved after the trees, all rows of a linkage at once, by their response with the trees
 // holding (Baraff's auxiliary constraints). A loop may hold what others hold already, as the second hinge of a door
 // does: each of its rows yields by a small part of what its bodies would alone, which shares such a load among them and
 // bounds it where a linkage is stretched out.
 //
 // Guarantee: the impulses make all rates of locked axes of the tree what is wanted, up to rounding, in time linear in
-// the joints; a row that follows from others is left out. Loops cost the square of their rows times the joints, and are
-// left to the caller beyond `most_loop_rows` and `most_loop_work`.
+// the joints; a row that follows from others is left out. Loops cost the square of their rows and their rows times the
+// joints of their linkage, and are left to the caller beyond `most_loop_rows` and `most_loop_work`.
 #pragma once
 
 #include <array>
@@ -47,8 +47,8 @@ class JointSystem {
   void solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
 
  private:
-  /// The most rows of loops that are solved at once, some thirty ball joints, and the most responses of links that they
-  /// may take in large trees.
+  /// The most rows of loops of a linkage that are solved at once, some thirty ball joints, and the most responses of
+  /// links that they may take in large trees.
   static constexpr std::size_t most_loop_rows = 96, most_loop_work = 4096;
   static constexpr std::size_t freedoms = std::is_same_v<typename Space::Vec, Vec3<T>> ? 6 : 3;
   static constexpr std::size_t most_rows = JointRows<T, Space>::most_locked;
@@ -68,7 +68,14 @@ class JointSystem {
   /// A joint that closes a loop.
   struct Loop {
     std::uint32_t joint = 0, a = 0, b = 0;
-    std::size_t first_row = 0, rows = 0;
+    std::size_t first_row = 0, rows = 0;  ///< among those of its linkage
+  };
+  /// Bodies that joints with loops hold together. Bodies that nothing pushes hold nothing together.
+  struct Linkage {
+    std::size_t first_link = 0, end_link = 0;
+    std::size_t first_loop = 0, end_loop = 0;
+    std::size_t first_row = 0, rows = 0;  ///< of its loops
+    std::size_t first_factor = 0;
   };
   struct LoopRow {
     Freedoms of_a{}, of_b{};  ///< what an impulse of 1 pushes
@@ -83,25 +90,36 @@ class JointSystem {
   static Freedoms pushed_by(const MeasuredRow<T, Space>& row, bool is_a);
   static Freedoms times(const std::array<Freedoms, freedoms>& matrix, const Freedoms& v);
   void tie(Link& link, const JointRows<T, Space>& joint);
-  /// Finds the impulses of the trees that make the rates of each link `wanted(link)`, and calls `push(link)`.
+  /// Finds the impulses of trees that make the rates of each link `wanted(link)`, and calls `push(link)`.
   template <class Wanted, class Push>
-  void sweep(const Wanted& wanted, const Push& push);
+  void sweep(std::span<Link> links, const Wanted& wanted, const Push& push);
   void solve_trees(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
-  void find_loops(std::span<const JointRows<T, Space>> joints,
-                  std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
-                  std::span<const std::uint8_t> movable);
+  void find_linkages(std::span<const JointRows<T, Space>> joints,
+                     std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
+                     std::span<const std::uint8_t> movable);
+  void add_linkage(Linkage linkage, std::span<const JointRows<T, Space>> joints,
+                   std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
+                   std::span<const std::uint32_t> closing);
+  std::span<const Loop> loops_of(const Linkage& linkage) const {
+    return std::span(loops_).subspan(linkage.first_loop, linkage.end_loop - linkage.first_loop);
+  }
+  std::span<LoopRow> rows_of(const Linkage& linkage) {
+    return std::span(loop_rows_).subspan(linkage.first_row, linkage.rows);
+  }
   void set_loop_rows(std::span<const JointRows<T, Space>> joints);
-  void respond_to(const Loop& loop, const LoopRow& row);
-  void factor_loops(std::span<const JointRows<T, Space>> joints);
-  void solve_loops(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
+  void respond_to(const Linkage& linkage, const Loop& loop, const LoopRow& row);
+  void factor_loops(const Linkage& linkage);
+  void solve_loops(const Linkage& linkage, std::span<JointRows<T, Space>> joints,
+                   std::span<SolverBody<T, Space>> bodies, bool bias);
 
   std::vector<Link> links_;  ///< those nearer to the root first
   std::vector<std::uint8_t> held_;
   bool holds_all_ = true;
   std::vector<Response> responses_;  ///< of each body
+  std::vector<Linkage> linkages_;    ///< those with loops that are solved here
   std::vector<Loop> loops_;
   std::vector<LoopRow> loop_rows_;
-  std::vector<T> loop_factors_;     ///< L D Lᵀ of the loops' rows, by rows; the diagonal has 1 / D
+  std::vector<T> loop_factors_;     ///< L D Lᵀ of each linkage's loops, by rows; the diagonal has 1 / D
   std::vector<T> loop_rates_;       ///< kept for its storage
   std::vector<Freedoms> velocity_;  ///< of each body, by an impulse of 1 on a loop's row; kept likewise
 };

@@ -93,7 +93,7 @@ inline int count(const std::array<bool, 3>& axes) { return int{axes[0]} + int{ax
 template <class T, class Space = graze::Space<T>>
 class JointRows {
  public:
-  static constexpr std::size_t most_locked = 6;
+  static constexpr std::size_t most_locked = std::is_same_v<typename Space::Vec, Vec3<T>> ? 6 : 3;
 
   /// Takes the joint's impulses over, scaled to the sub-steps of this step. `joint` outlives the rows.
   void prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step);

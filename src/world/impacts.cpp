@@ -25,6 +25,12 @@ Sweep<T> sweep_of(const BodyArrays<T, Space>& bodies, std::uint32_t i, T duratio
                     Space::among_boxes(bodies.linear()[i] * duration), room);
 }
 
+/// The box of all that a sweep passes.
+template <class T>
+Aabb<T> way_of(const Sweep<T>& sweep) {
+  return merged(sweep.box, Aabb<T>{sweep.box.lower + sweep.motion, sweep.box.upper + sweep.motion});
+}
+
 template <class T, class Space>
 bool before(const Impact<T, Space>& p, const Impact<T, Space>& q) {
   return std::tie(p.hit.t, p.a, p.b) < std::tie(q.hit.t, q.a, q.b);
@@ -46,6 +52,9 @@ void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree
     else
       fastest = greatest(fastest, speed_of(bodies, i));
   }
+  // Two fast bodies can meet anywhere on their ways: a tree of these, since in a crowd that is blown apart all are fast.
+  DynamicTree<T> ways;
+  for (std::uint32_t k = 0; k < fast.size(); ++k) ways.insert(k, way_of(sweep_of(bodies, fast[k], duration, T(0))));
   std::vector<std::vector<Impact<T, Space>>> found((fast.size() + fast_bodies_per_task - 1) / fast_bodies_per_task);
   const auto meet = [&](std::uint32_t i, std::uint32_t j, std::vector<Impact<T, Space>>& impacts) {
     if (i == j || !allowed(i, j)) return;
@@ -58,24 +67,20 @@ void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree
     const bool trigger = bodies.triggers()[a] != 0 || bodies.triggers()[b] != 0;
     if (hit) impacts.push_back({bodies.id(a), bodies.id(b), trigger, *hit});
   };
-  for_each_chunk(
-      executor, fast.size(), fast_bodies_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
-        for (std::size_t k = begin; k < end; ++k) {
-          const std::uint32_t i = fast[k];
-          const Sweep<T> sweep = sweep_of(bodies, i, duration, fastest * duration);
-          tree.visit([&](const Aabb<T>& box) { return entry(box, sweep) <= T(1); },
-                     [&](std::uint32_t j, const Aabb<T>&) {
+  for_each_chunk(executor, fast.size(), fast_bodies_per_task,
+                 [&](std::size_t begin, std::size_t end, std::size_t task) {
+                   for (std::size_t k = begin; k < end; ++k) {
+                     const std::uint32_t i = fast[k];
+                     const Sweep<T> sweep = sweep_of(bodies, i, duration, fastest * duration);
+                     const auto passes = [&](const Aabb<T>& box) { return entry(box, sweep) <= T(1); };
+                     tree.visit(passes, [&](std::uint32_t j, const Aabb<T>&) {
                        if (bodies.fast()[j] == 0) meet(i, j, found[task]);
                      });
-          // Two fast bodies can meet anywhere; there are few of them.
-          for (std::size_t other = k + 1; other < fast.size(); ++other) {
-            const Sweep<T> theirs = sweep_of(bodies, fast[other], duration, T(0));
-            const Aabb<T> way =
-                merged(theirs.box, Aabb<T>{theirs.box.lower + theirs.motion, theirs.box.upper + theirs.motion});
-            if (entry(way, sweep) <= T(1)) meet(i, fast[other], found[task]);
-          }
-        }
-      });
+                     ways.visit(passes, [&](std::uint32_t other, const Aabb<T>&) {
+                       if (other > k) meet(i, fast[other], found[task]);
+                     });
+                   }
+                 });
   for (const auto& of_task : found) out.insert(out.end(), of_task.begin(), of_task.end());
   std::sort(out.begin(), out.end(), before<T, Space>);
 }
