@@ -57,7 +57,7 @@ template <class AnyScene>
 void print_pairs_as_table(const AnyScene& scene, const std::vector<io::TouchingPair>& pairs) {
   print_notes(scene.notices);
   fmt::print("{}: {} in {}, {} in contact\n", scene.source, counted(scene.colliders.size(), "collider"),
-             counted(scene.bodies.size(), "body"), counted(pairs.size(), "pair"));
+             counted(scene.bodies.size(), "body"), counted(io::count_in_contact(pairs), "pair"));
   if (pairs.empty()) return;
   std::size_t a = 1, b = 1;
   for (const io::TouchingPair& p : pairs) {
@@ -67,8 +67,9 @@ void print_pairs_as_table(const AnyScene& scene, const std::vector<io::TouchingP
   fmt::print("\n{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", "A", a, "B", b, "", "normal from A to B", "points");
   for (const io::TouchingPair& p : pairs) {
     const double d = p.manifolds.empty() ? 0 : p.distance();
-    const std::string state = p.trigger ? (p.overlap ? "in trigger" : "near trigger")
-                                        : fmt::format("{} {:.6g}", p.overlap ? "depth" : "gap", std::abs(d));
+    const std::string state = p.trigger         ? (p.overlap ? "in trigger" : "near trigger")
+                              : !p.in_contact() ? "overlap without contact"
+                                                : fmt::format("{} {:.6g}", p.overlap ? "depth" : "gap", std::abs(d));
     const std::string normal = words_of(scene, p.normal());
     fmt::print("{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", scene.colliders[p.a].name, a, scene.colliders[p.b].name, b,
                state, normal, p.point_count());

@@ -36,6 +36,11 @@ std::size_t TouchingPair::point_count() const {
   return count;
 }
 
+std::size_t count_in_contact(const std::vector<TouchingPair>& pairs) {
+  return static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [](const TouchingPair& pair) { return pair.in_contact(); }));
+}
+
 std::vector<TouchingPair> collide(const Scene& scene, const CollideOptions& options) {
   return options.precision == Precision::double_precision ? collide_in<double, Space<double>>(scene, options)
                                                           : collide_in<float, Space<float>>(scene, options);

@@ -132,7 +132,7 @@ const JsonValue& JsonValue::keys(std::initializer_list<std::string_view> known) 
     for (const std::string_view k : known) names += (names.empty() ? "" : ", ") + std::string(k);
     const std::string outer = path_.empty() ? "" : path_ + ".";
     const std::string name = key.size() > longest_shown ? key.substr(0, longest_shown) + "..." : key;
-    throw InvalidValue(outer + name, "one of the keys " + names, "an unknown key");
+    throw InvalidValue(outer + name, names.empty() ? "no keys" : "one of the keys " + names, "an unknown key");
   }
   return *this;
 }

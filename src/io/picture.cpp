@@ -51,7 +51,7 @@ std::string legend(const AnyScene& scene, const std::vector<TouchingPair>& pairs
   std::string out = "<g font-family=\"system-ui, sans-serif\">\n" +
                     text(24, 32, 17,
                          fmt::format("{}: {}, {} in contact", scene.source, counted(scene.colliders.size(), "collider"),
-                                     counted(pairs.size(), "pair")));
+                                     counted(count_in_contact(pairs), "pair")));
   double x = 24;
   for (const auto& [meaning, called] : legend_names) {
     if (used.count(meaning) == 0) continue;

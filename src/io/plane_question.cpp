@@ -155,7 +155,7 @@ void check_plane_motion(const JsonValue& json, const PlaneBody<T>& body, T durat
     json.at("linear").fail("a velocity that leads no further than " +
                            validate::number(static_cast<double>(largest_magnitude<T>)) + " within the duration");
   if (body.shape.template as<plane::HalfPlane<T>>() && body.velocity.angular != T(0))
-    json.at("angular").fail("no angular velocity of a half-space");
+    json.at("angular").fail("no angular velocity of a half-plane");
 }
 
 }  // namespace

@@ -12,12 +12,9 @@
 #include "graze/plane/query.hpp"
 #include "graze/small_vector.hpp"
 #include "plane/leaves.hpp"
+#include "plane/seam_step.hpp"
 
 namespace graze::plane {
-
-/// Height of a step between two bodies up to which they are one ground, relative to the smaller of the body that moves
-/// and the piece that it meets; as between solids (`composite/internal_edges`).
-inline constexpr double seam_step = 4e-4;
 
 /// A disc in the world.
 struct Disc {

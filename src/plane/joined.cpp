@@ -161,9 +161,15 @@ bool Joined<T>::gives_way(const OnOutline& found, const LeafPair<T>& pair) const
 }
 
 template <class T>
+void Joined<T>::measure(const LeafPair<T>& pair) {
+  const bool bounded = pair.a.kind != CoreKind::half_plane && pair.b.kind != CoreKind::half_plane;
+  size_ = greatest(size_, pair.size());
+  step_ = greatest(step_, seam_step * (bounded ? least(pair.extent_a, pair.extent_b) : pair.size()));
+}
+
+template <class T>
 void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin) {
   if (found.distance - pair.a.radius - pair.b.radius > margin) return;
-  size_ = greatest(size_, pair.size());
   Core<T> a = pair.a, b = pair.b;
   if (!faces(a, b, pair, b_in_a)) return;
   const std::optional<OnOutline> settled = nearest_on_outlines(a, b, b_in_a, found, pair.size());
@@ -276,6 +282,17 @@ void Joined<T>::unite() {
     if (extend(out_[i], i)) out_.erase(out_.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
+/// Of points in the same place, as pieces of which both have it name it, the one that stays, whichever shape is A and
+/// whichever piece came first: a vertex is a surer name than an edge.
+template <class T>
+bool is_surer_name(const ContactPoint<T>& p, const ContactPoint<T>& q) {
+  const auto key = [](std::uint32_t feature) {
+    const std::uint32_t a = feature >> 16, b = feature & 0xffff;
+    return std::pair(std::max(a, b), std::min(a, b));
+  };
+  return key(p.feature) < key(q.feature);
+}
+
 /// Adds a manifold to the one that it goes on from, if there is one before the place `end`.
 template <class T>
 bool Joined<T>::extend(const Manifold<T>& manifold, std::size_t end) {
@@ -294,7 +311,12 @@ bool Joined<T>::extend(const Manifold<T>& manifold, std::size_t end) {
     if (at(*own.first) > high + gap || at(*own.second) < low - gap) continue;
     last = std::copy(manifold.points.begin(), manifold.points.end(), last);
     const auto ends = std::minmax_element(all.begin(), last, by_place);
-    const ContactPoint<T> first = *ends.first, second = *ends.second;
+    ContactPoint<T> first = *ends.first, second = *ends.second;
+    const std::span<const ContactPoint<T>> points(all.begin(), last);
+    if (stands_out(points, first, second, at)) continue;
+    for (ContactPoint<T>* bound : {&first, &second})
+      for (const ContactPoint<T>& p : points)
+        if (std::abs(at(p) - at(*bound)) <= gap && is_surer_name(p, *bound)) *bound = p;
     there.points.clear();
     // The first of several pieces gives its number, whichever of them was nearest.
     if (std::pair(manifold.piece_a, manifold.piece_b) < std::pair(there.piece_a, there.piece_b))
@@ -304,6 +326,19 @@ bool Joined<T>::extend(const Manifold<T>& manifold, std::size_t end) {
     return true;
   }
   return false;
+}
+
+/// Whether one of the points is deeper than the line between both ends, by more than a seam may be: what is in line
+/// loses nothing where its ends alone are kept, and what bulges out between them is no side of one ground.
+template <class T>
+template <class At>
+bool Joined<T>::stands_out(std::span<const ContactPoint<T>> points, const ContactPoint<T>& first,
+                           const ContactPoint<T>& second, const At& at) const {
+  const T width = at(second) - at(first), allowed = static_cast<T>(step_) + tolerated();
+  return std::any_of(points.begin(), points.end(), [&](const ContactPoint<T>& p) {
+    const T part = width > T(0) ? (at(p) - at(first)) / width : T(0);
+    return p.distance < first.distance + (second.distance - first.distance) * part - allowed;
+  });
 }
 
 template class Joined<float>;

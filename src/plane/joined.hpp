@@ -16,6 +16,7 @@
 #include "plane/manifold.hpp"
 #include "plane/nearest.hpp"
 #include "plane/on_outline.hpp"
+#include "plane/seam_step.hpp"
 
 namespace graze::plane {
 
@@ -68,6 +69,8 @@ class Joined {
   Joined(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, Manifolds<T>& out)
       : a_(a), b_(b), pose_a_(at_unit(pose_a)), pose_b_(at_unit(pose_b)), out_(out), first_(out.size()) {}
 
+  /// Learns the sizes of a pair of pieces, which tolerances refer to. For each pair, before its contacts.
+  void measure(const LeafPair<T>& pair);
   /// Contacts of one pair of pieces, whose nearest points are `found`.
   void add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin);
   /// A second visit, to pairs that overlap where no pair gave a contact that does: lines that cross, and ends that reach
@@ -124,6 +127,9 @@ class Joined {
   void keep_in_line(const Core<T>& a, const Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a, double margin);
   void join(const Manifold<T>& manifold);
   bool extend(const Manifold<T>& manifold, std::size_t end);
+  template <class At>
+  bool stands_out(std::span<const ContactPoint<T>> points, const ContactPoint<T>& first, const ContactPoint<T>& second,
+                  const At& at) const;
   void unite();
   void extend_in_line();
   void keep_doubtful(const Manifold<T>& manifold, double taken);
@@ -141,6 +147,7 @@ class Joined {
   std::size_t first_;
   ChainSide side_a_, side_b_;
   double size_ = 0;
+  double step_ = 0;  ///< height up to which what stands out between two points is a seam
   /// Contacts of pieces whose nearest points are a neighbour's, along the pieces' own normals.
   SmallVector<InLine, 4> in_line_;
   /// Contacts of curved pieces whose normals come from a search and belong to a piece within the error of that search,
@@ -165,6 +172,7 @@ bool join_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
   visit([&](const LeafPair<T>& pair) {
     const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
     const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
+    joined.measure(pair);
     if (!pair.a.outline && !pair.b.outline) {
       overlaps = add_manifold(pair, b_in_a, found, margin, manifolds) || overlaps;
       return;

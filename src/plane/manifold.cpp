@@ -10,6 +10,22 @@ namespace {
 /// degrees.
 constexpr double least_facing = 0.5;
 
+/// The coordinates of the two ends of a side, added up.
+double reach_of(const Vec2d& p, const Vec2d& q) {
+  return std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
+}
+
+/// Whether two sides share more across the normal than a part of their ends and of the way between their origins: the
+/// rounding of these, or where the normal was searched for its error. Along the way from a vertex to a vertex, the edges
+/// that begin there share a point, or nothing, as rounding has it.
+bool share_a_stretch(double low, double high, double reach_a, double reach_b, const Vec2d& way,
+                     double part = touching_rounding) {
+  return high - low > part * (reach_a + reach_b + std::abs(way.x) + std::abs(way.y));
+}
+
+/// The error of the normal of tapered cores: the search finds it within the root of its goal only.
+const double searched_normal = 4 * std::sqrt(goal);
+
 /// The straight side of a shape that faces a normal, seen along that normal: its ends by their place across it and
 /// their height along it, each rounded by a radius of its own.
 struct Side {
@@ -23,6 +39,7 @@ struct Side {
   double slope = 0;      ///< of the side's surface: height gained per length across
   double facing = 1;     ///< cosine between its own normal and the given one
   double leaning = 0;    ///< sine of that angle: how far its own normal leans across
+  double reach = 0;      ///< the coordinates of both ends, added up: what rounding refers to
   bool endless = false;  ///< of a half-plane
 
   /// Height of the surface at a place across: that of the straight piece or, beyond it, of the disc at the end.
@@ -157,6 +174,7 @@ Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along, std::
   side.slope = -side.leaning / side.facing;
   side.low = {dot(p, along), dot(p, n), radius_p, vertex_p};
   side.high = {dot(q, along), dot(q, n), radius_q, vertex_q};
+  side.reach = reach_of(p, q);
   if (side.low.across > side.high.across) std::swap(side.low, side.high);
   return side;
 }
@@ -174,14 +192,13 @@ void take_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, con
   deepest->b = deepest->a + found.normal * deepest->distance;
 }
 
-/// The normal of tapered cores, replaced by that of the straight side that it stands for. The search finds it within
-/// the root of its goal only: a depth changes by the square of the error of a normal.
+/// The normal of tapered cores, replaced by that of the straight side that it stands for: a depth changes by the square
+/// of the error of a normal.
 template <class T>
 Vec2d settled_normal(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& n) {
   if (a.kind != CoreKind::tapered && b.kind != CoreKind::tapered) return n;
-  const double same = 4 * std::sqrt(goal);
   const auto stands_for = [&](const Side& side) {
-    return side.straight && !side.endless && std::abs(side.leaning) <= same && side.facing > 0;
+    return side.straight && !side.endless && std::abs(side.leaning) <= searched_normal && side.facing > 0;
   };
   const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n);
   if (const Side side = side_towards(a, n, left(n), 0); stands_for(side)) return side.own;
@@ -224,7 +241,7 @@ void add_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, cons
 
 /// The straight side of a polygon, seen along a normal: like `Side`, but in order across from its construction on.
 struct PolygonSide {
-  double low_across, high_across, low_height, high_height, radius, facing, leaning, slope;
+  double low_across, high_across, low_height, high_height, radius, facing, leaning, slope, reach;
   std::uint32_t low_vertex, high_vertex;
 
   /// `forward` says whether the polygon's edges run along `along` where they face `n`: those of A do, of B they do not.
@@ -240,6 +257,7 @@ struct PolygonSide {
     const Vec2d low = core.vertex(low_vertex), high = core.vertex(high_vertex);
     low_across = dot(low, along), low_height = dot(low, n);
     high_across = dot(high, along), high_height = dot(high, n);
+    reach = reach_of(low, high);
   }
   void move(double across, double height) {
     low_across += across, high_across += across;
@@ -268,7 +286,7 @@ void add_facing_edges(Manifold<double>& out, const Core<T>& a, const Core<T>& b,
   PolygonSide of_b(b, edge_b, toward_a, along_b, false);
   of_b.move(dot(b_in_a.translation, along), -dot(b_in_a.translation, n));
   const double low = greatest(of_a.low_across, of_b.low_across), high = least(of_a.high_across, of_b.high_across);
-  if (!(low < high)) return;
+  if (!share_a_stretch(low, high, of_a.reach, of_b.reach, b_in_a.translation)) return;
   // A's outline runs to the left of its normal and B's to the right: at the low end lies the first vertex of A's edge
   // and the last of B's, whichever of them bounds the stretch.
   add_point(out, along, low, of_a.height_at(low), -of_b.height_at(low),
@@ -298,7 +316,9 @@ Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in
                         : Side{};
   const double low = greatest(of_a.low.across, of_b.low.across), high = least(of_a.high.across, of_b.high.across);
   const bool faces = of_a.straight && of_b.straight && !(of_a.endless && of_b.endless);
-  if (!faces || !(low < high)) {
+  const bool tapered = a.kind == CoreKind::tapered || b.kind == CoreKind::tapered;
+  if (!faces || !share_a_stretch(low, high, of_a.reach, of_b.reach, b_in_a.translation,
+                                 tapered ? searched_normal : touching_rounding)) {
     add_nearest(out, a, b, found, margin);
     return out;
   }
@@ -312,7 +332,6 @@ Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in
             feature_id(name(of_a, of_a.low), name(of_b, of_b.low)), margin);
   add_point(out, along, high, of_a.height_at(high), -of_b.height_at(high),
             feature_id(name(of_a, of_a.high), name(of_b, of_b.high)), margin);
-  const bool tapered = a.kind == CoreKind::tapered || b.kind == CoreKind::tapered;
   if (tapered && n == found.normal) take_nearest(out, a, b, found);
   if (out.points.empty()) {
     out.normal = found.normal;

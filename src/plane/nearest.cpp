@@ -1,8 +1,10 @@
 // The choice of a way to the nearest points by the kinds of a pair; half-planes need only the other core's support
-// point.
+// point, an ellipse and a point one root.
 #include "plane/nearest.hpp"
 
 #include <limits>
+
+#include "plane/nearest_ellipse.hpp"
 
 namespace graze::plane {
 
@@ -47,6 +49,16 @@ Nearest swapped(const Nearest& of_b, const Pose2d& b_in_a) {
   return out;
 }
 
+/// Whether a core is an ellipse with an area, seen by itself: what has none is a segment or a point.
+template <class T>
+bool is_round(const Core<T>& core) {
+  return core.kind == CoreKind::ellipse && core.radii.x > 0 && core.radii.y > 0;
+}
+template <class T>
+bool is_point(const Core<T>& core) {
+  return core.kind == CoreKind::polygon && core.count == 1;
+}
+
 /// A seen from B.
 Pose2d inverse(const Pose2d& b_in_a) { return relative(b_in_a, Pose2d{}); }
 
@@ -62,6 +74,8 @@ Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double
     const bool inside = a.count > 2 || b.count > 2;
     return inside ? nearest_polygons(a, b, b_in_a, size) : nearest_by_walk(a, b, b_in_a);
   }
+  if (is_round(a) && is_point(b)) return nearest_ellipse_point(a, b, b_in_a);
+  if (is_round(b) && is_point(a)) return swapped(nearest_ellipse_point(b, a, inverse(b_in_a)), b_in_a);
   return nearest_curved(a, b, b_in_a, size);
 }
 

@@ -187,7 +187,7 @@ std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<
     best.points.normal = n;
     best.points.a = {point - n * gap, side_feature(edge)};
     best.points.b = {point, deepest.feature};
-    best.points.of_neighbour = is_solid(a) && !is_own;
+    best.points.of_neighbour = a.outline && !is_own;
     best.points.behind_a = is_solid(a) && is_behind(b, toward_a, gap, a.radius);
     best.points.behind_b = false;
   });
@@ -201,7 +201,7 @@ std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<
     best.points.normal = n;
     best.points.a = deepest;
     best.points.b = {deepest.point + n * gap, side_feature(edge)};
-    best.points.of_neighbour = is_solid(b) && !is_own;
+    best.points.of_neighbour = b.outline && !is_own;
     best.points.behind_a = false;
     best.points.behind_b = is_solid(b) && is_behind(a, n, gap, b.radius);
   });

@@ -176,6 +176,34 @@ TEST(Messages, OneIsSingular) {
       << run("collide " + both).output;
 }
 
+// A marble on the back of a chain with one side overlaps it and touches nothing.
+TEST(Messages, AnOverlapWithoutContactIsNoContact) {
+  const Folder folder("back_of_chain_test");
+  std::ofstream(folder / "back.svg")
+      << "<svg xmlns='http://www.w3.org/2000/svg'><path id='arc' d='M 210 100 a 30 30 0 0 0 60 0' data-sides='one'/>"
+         "<circle id='marble' class='dynamic' cx='240' cy='120' r='11'/></svg>";
+  const std::string output = run("collide " + (folder / "back.svg")).output;
+  EXPECT_NE(output.find("0 pairs in contact"), std::string::npos) << output;
+  EXPECT_NE(output.find("overlap without contact"), std::string::npos) << output;
+}
+
+// What the plane refuses is called by the plane's names.
+TEST(Messages, ThePlaneHasItsOwnWords) {
+  const Folder folder("plane_words_test");
+  const std::string plane = "{\"shape\": {\"type\": \"plane\"}";
+  std::ofstream(folder / "q.jsonl")
+      << "{\"id\": 1, \"dimension\": 2, \"query\": \"distance\", \"a\": " << plane << "}, \"b\": " << plane
+      << ", \"rotation\": 1}}\n"
+      << "{\"id\": 2, \"dimension\": 2, \"query\": \"cast\", \"duration\": 1, \"a\": " << plane
+      << ", \"angular\": 1}, \"b\": " << plane << "}}\n"
+      << "{\"id\": 3, \"dimension\": 2, \"query\": \"overlap\", \"a\": {\"shape\": {\"type\": \"plane\", "
+      << "\"plane\": {\"sizeX\": 1}}}, \"b\": " << plane << "}}\n";
+  const std::string output = run("query " + (folder / "q.jsonl")).output;
+  for (const char* said : {"two half-planes that are not opposite", "no angular velocity of a half-plane",
+                           "sizeX: expected no keys, got an unknown key"})
+    EXPECT_NE(output.find(said), std::string::npos) << said << " in " << output;
+}
+
 TEST(Messages, AnErrorWithoutIdHasItsLine) {
   const Folder folder("lines_test");
   std::ofstream(folder / "q.jsonl") << "\n{\"query\": \"overlap\"}\nnonsense\n{\"id\": 7, \"query\": \"overlap\"}\n";

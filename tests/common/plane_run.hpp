@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 16428753639430689974u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 11302466992783842260u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 16438985848989095803u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 8624522949284981287u;
 
 }  // namespace graze::testing
 

@@ -36,7 +36,13 @@ struct TouchingPair {
   double distance() const;
   Vec3d normal() const;             ///< normal of the deepest point's manifold
   std::size_t point_count() const;  ///< number of points in all manifolds
+  /// Whether they are in contact, or one is in the other's trigger. What stands on the back of a one-sided chain, and
+  /// two half-spaces without a finite depth, overlap and touch nothing.
+  bool in_contact() const { return trigger || !manifolds.empty(); }
 };
+
+/// The number of pairs that are in contact.
+GRAZE_API std::size_t count_in_contact(const std::vector<TouchingPair>& pairs);
 
 /// The touching pairs. Throws `InvalidValue` for a margin, shape or pose that is too large for the precision.
 GRAZE_API std::vector<TouchingPair> collide(const Scene& scene, const CollideOptions& options = {});

@@ -62,6 +62,7 @@ struct LaneFacingEdge {
 template <class S>
 struct LanePolygonSide {
   S low_across, high_across, low_height, high_height, radius, facing, leaning, slope, low_vertex, high_vertex;
+  S reach;  ///< the coordinates of both ends, added up
 
   [[gnu::always_inline]] LanePolygonSide(const LaneFacingEdge<S>& best, const S& rounding, const Vec2<S>& n,
                                          const Vec2<S>& along, bool forward)
@@ -75,6 +76,7 @@ struct LanePolygonSide {
     const Vec2<S> low = forward ? best.start : best.end, high = forward ? best.end : best.start;
     low_across = dot(low, along), low_height = dot(low, n);
     high_across = dot(high, along), high_height = dot(high, n);
+    reach = abs(low.x) + abs(low.y) + abs(high.x) + abs(high.y);
   }
   [[gnu::always_inline]] void move(const S& across, const S& height) {
     low_across += across, high_across += across;
@@ -117,8 +119,9 @@ template <class S, std::size_t N>
   LanePolygonSide<S> b(edge_b, pair.radius_b, toward_a, along_b, false);
   b.move(dot(t, along), -dot(t, n));
   const S low = greatest(a.low_across, b.low_across), high = least(a.high_across, b.high_across);
+  const S reach = a.reach + b.reach + abs(t.x) + abs(t.y);
   const auto facing = near & (pair.a.count > one) & (pair.b.count > one) & (edge_a.facing >= least_facing) &
-                      (edge_b.facing >= least_facing) & (low < high);
+                      (edge_b.facing >= least_facing) & (high - low > S(touching_rounding) * reach);
   if (!any(facing)) return out;
   const auto point = [&](const S& across, const S& vertex_a, const S& vertex_b) __attribute__((always_inline)) {
     const S height_a = a.height_at(across), height_b = -b.height_at(across);

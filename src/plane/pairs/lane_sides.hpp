@@ -4,6 +4,7 @@
 // the reference of the other, so that a swap of the shapes mirrors the points and their features.
 #pragma once
 
+#include "plane/nearest.hpp"
 #include "plane/pairs/lane_pair.hpp"
 
 namespace graze::plane {
@@ -22,6 +23,7 @@ struct LaneSide {
   S low_vertex, high_vertex;  ///< features
   S radius;                   ///< that rounds it
   S facing, leaning;          ///< cosine and sine between its own normal and the given one
+  S reach;                    ///< the coordinates of both ends, added up: what rounding refers to
   bool endless = false;       ///< of a half-plane
 
   /// Height of the surface at a place across that lies between the ends.
@@ -55,6 +57,7 @@ side_between(const Vec2<S>& right_end, const Vec2<S>& left_end, const S& right_f
   side.low_vertex = vertex_number(right_feature);
   side.high_vertex = vertex_number(left_feature);
   side.radius = radius;
+  side.reach = abs(right_end.x) + abs(right_end.y) + abs(left_end.x) + abs(left_end.y);
   return side;
 }
 
@@ -94,6 +97,7 @@ template <LaneCore core, class S>
     side.low_vertex = side.high_vertex = side_number(zero);
     side.radius = shape.radius;
     side.facing = one;
+    side.reach = zero;
     side.endless = true;
     return side;
   }
@@ -190,7 +194,8 @@ template <LaneCore core_a, LaneCore core_b, class S>
     const LaneSide<S> b =
         seen_from_a(side_towards<core_b>(pair.b, inverse_rotate(pair.b_in_a.rotation, -n)), pair.b_in_a.translation, n);
     const S low = greatest(a.low_across, b.low_across), high = least(a.high_across, b.high_across);
-    const auto facing = near & a.straight & b.straight & (low < high);
+    const S reach = a.reach + b.reach + abs(pair.b_in_a.translation.x) + abs(pair.b_in_a.translation.y);
+    const auto facing = near & a.straight & b.straight & (high - low > S(touching_rounding) * reach);
     if (!any(facing)) return out;
     const LanePoint<S> at_low = point_between(a, b, n, low, joined_features(a.low_vertex, b.low_vertex)),
                        at_high = point_between(a, b, n, high, joined_features(a.high_vertex, b.high_vertex));
