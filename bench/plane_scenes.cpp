@@ -142,8 +142,8 @@ Scene stir(double scale) {
   const double apart = 1.15 * size;
   for (std::size_t row = 0; row < side; ++row)
     for (std::size_t column = 0; column < side; ++column) {
-      const double y = (double(row) + 1.5) * apart * (row % 2 == 0 ? 1 : -1);
-      scene.add({{kinds[(row + column) % 3], {{(double(column) - 0.5 * double(side - 1)) * apart, y / 1.5}, {}}}});
+      const double y = (double(row / 2) + 1.5) * apart * (row % 2 == 0 ? 1 : -1);
+      scene.add({{kinds[(row + column) % 3], {{(double(column) - 0.5 * double(side - 1)) * apart, y}, {}}}});
     }
   return scene;
 }

@@ -218,19 +218,24 @@ std::vector<std::uint32_t> fast_bodies(const SimulationParts<T, Space>& parts, T
   return fast;
 }
 
-/// The time at which an impact holds its bodies back, `dt` for one that does not. Rows of contacts let bodies approach
-/// little: a body that slides fast is not held back by the one it slides on. A body that sinks beside the points of
-/// contact goes on by a part of what it may, or it would hang there; so does one that touches another and has no point
-/// of contact with it, until it overlaps that, which gives it one.
+/// The time at which an impact holds its bodies back, `dt` for one that does not. Two that meet go on where the step
+/// takes them no deeper than it may without a cast: the next one finds their contact, as that of slow bodies. Those that
+/// fall side by side meet all the time, and each that is held back is struck by those behind it. Rows of contacts let
+/// bodies approach little: a body that slides fast is not held back by the one it slides on. A body that sinks beside
+/// the points of contact goes on by a part of what it may, or it would hang there; so does one that touches another and
+/// has no point of contact with it, until it overlaps that, which gives it one.
 template <class T, class Space>
 T holding_time(const SimulationParts<T, Space>& parts, const Impact<T, Space>& impact,
                std::span<const typename Space::Velocity> mean, T dt) {
   const std::uint32_t a = impact.a.index, b = impact.b.index;
   const ContactPair<T>* pair_met = met<T, Space>(parts.world.contacts(), a, b);
-  if (!pair_met && impact.hit.t > T(0)) return impact.hit.t;
   const auto shapes = parts.world.bodies().shapes();
   const MovingPair<T, Space> pair{shapes[a], shapes[b], parts.found_at[a], parts.found_at[b], mean[a], mean[b]};
   const T most = unasked_motion<T> * least(parts.bodies[a].depth, parts.bodies[b].depth);
+  if (!pair_met && impact.hit.t > T(0)) {
+    const std::optional<T> sunk = time_to_sink(pair, T(2) * most, dt);
+    return sunk && !(*sunk < dt) ? dt : impact.hit.t;
+  }
   if (const std::optional<T> sunk = time_to_sink(pair, most, dt)) return greatest(impact.hit.t, *sunk);
   const T depth = pair_met ? depth_of<T, Space>(parts.world.contacts(), *pair_met) : most;
   const T left = greatest(most - depth, most * sunk_on<T>);

@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 14504199154249031872u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 4891525043277789386u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 218570126030957386u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 464532718931697751u;
 
 template <class T>
 class MovingRun {

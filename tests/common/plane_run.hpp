@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 11302466992783842260u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 17637022815861998236u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 8624522949284981287u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 4724701844362310063u;
 
 }  // namespace graze::testing
 
