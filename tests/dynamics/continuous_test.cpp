@@ -184,6 +184,30 @@ TEST(ContinuousCrowd, CardsThatFallOnCardsDoNotPassThrough) {
   }
 }
 
+/// Columns of boxes of the plane that fall by half their size in a step, a fifth of it apart: those below stop first, and
+/// none of those above goes on into them once the lowest have come to rest.
+TEST(ContinuousCrowd, ColumnsThatFallInThePlaneStayColumns) {
+  constexpr double size = 0.25, apart = 0.3;
+  constexpr int columns = 10, rows = 45;
+  plane::Simulation<double> s(plane::SimulationSettings<double>{});
+  const auto wall = [](double side) {
+    return plane::Placed<double>{plane::Box<double>({1, 60}), {{side * (columns * apart / 2 + 0.6), 30}, {}}};
+  };
+  plane::Body<double> tray{plane::Compound<double>({{plane::Box<double>({40, 1}), {{0, -0.5}, {}}}, wall(-1), wall(1)}),
+                           {}};
+  tray.fixed = true;
+  s.add(tray);
+  for (int i = 0; i < columns; ++i)
+    for (int k = 0; k < rows; ++k)
+      s.add({plane::Box<double>({size, size}), {{(i - 0.5 * (columns - 1)) * apart, 3 + k * apart}, {}}});
+  for (int i = 0; i < 140; ++i) {
+    s.step(1.0 / 60);
+    if (i >= 79) {
+      EXPECT_LT(s.report().deepest, 0.4 * size) << i;
+    }
+  }
+}
+
 /// A blade that turns by a radian and more in a step takes balls along and throws them off, wherever it meets them.
 TEST(Continuous, ABladeThrowsOffWhatItMeets) {
   for (const double spin : {30.0, 80.0, 120.0})
