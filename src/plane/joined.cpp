@@ -147,8 +147,8 @@ bool Joined<T>::faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pos
          (!b.chain || face(b, pair.pose_b, body_center(a_, pose_a_, far), side_b_));
 }
 
-/// Whether another piece of a solid polygon has the contact, if any has: the normal is that of an edge beside this one,
-/// or of an edge on the far side, over which the other body has not come in, since it lies wholly behind it.
+/// Whether another piece has the contact, if any has: the normal is that of an edge beside this one, or of an edge on the
+/// far side, over which the other body has not come in, since it lies wholly behind it.
 template <class T>
 bool Joined<T>::gives_way(const OnOutline& found, const LeafPair<T>& pair) const {
   if (found.of_neighbour) return true;

@@ -127,10 +127,11 @@ struct Axis {
   OnOutline points{};
 };
 
-/// Whether a core is a piece of a solid polygon.
+/// Whether a core has an inside out of which `other` leads by its outline: a piece of a solid polygon, or a polygon that
+/// meets a piece of one. What a line's segment leaves no normal for has a contact with the next segment.
 template <class T>
-bool is_solid(const Core<T>& core) {
-  return core.outline && !core.chain;
+bool is_solid(const Core<T>& core, const Core<T>& other) {
+  return core.kind == CoreKind::polygon && core.count > 2 && !core.chain && (core.outline || !other.chain);
 }
 
 /// Whether a core, whose points furthest along `n` (unit, in its frame) are `gap` beyond an edge against whose outward
@@ -188,7 +189,7 @@ std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<
     best.points.a = {point - n * gap, side_feature(edge)};
     best.points.b = {point, deepest.feature};
     best.points.of_neighbour = a.outline && !is_own;
-    best.points.behind_a = is_solid(a) && is_behind(b, toward_a, gap, a.radius);
+    best.points.behind_a = is_solid(a, b) && is_behind(b, toward_a, gap, a.radius);
     best.points.behind_b = false;
   });
   for_each_normal(b, [&](const Vec2d& own, std::uint32_t j, std::uint32_t edge, bool is_own) {
@@ -203,7 +204,7 @@ std::optional<OnOutline> least_overlap_on_outlines(const Core<T>& a, const Core<
     best.points.b = {deepest.point + n * gap, side_feature(edge)};
     best.points.of_neighbour = b.outline && !is_own;
     best.points.behind_a = false;
-    best.points.behind_b = is_solid(b) && is_behind(a, n, gap, b.radius);
+    best.points.behind_b = is_solid(b, a) && is_behind(a, n, gap, b.radius);
   });
   if (best.gap == -std::numeric_limits<double>::infinity()) return {};
   best.points.distance = best.gap;

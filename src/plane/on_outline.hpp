@@ -30,8 +30,8 @@ Doubt doubt(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Near
 
 /// Nearest points along a normal that belongs to the outlines.
 struct OnOutline : Nearest {
-  bool of_neighbour = false;  ///< whether the normal is that of an edge beside the piece of a solid polygon
-  /// Whether the normal is that of an edge of A or B, a piece of a solid polygon, with the other core all behind it.
+  bool of_neighbour = false;  ///< whether the normal is that of an edge beside the piece of a polygon or a chain
+  /// Whether the normal is that of an edge of A or B, a polygon or a piece of one, with the other core all behind it.
   bool behind_a = false, behind_b = false;
 };
 

@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 17637022815861998236u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 15498388306654635049u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 4724701844362310063u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 11639209844102349924u;
 
 }  // namespace graze::testing
 
