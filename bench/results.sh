@@ -191,7 +191,7 @@ TEXT
 ## The plane
 
 Pairs of shapes in two dimensions beside Box2D, in float, on one thread: nanoseconds for one question, with few pairs in
-the cache one at a time and with many from memory in a batch; last a pyramid that is played. `faster`: how many times as
+the cache one at a time and with many from memory in a batch; last scenes that are played. `faster`: how many times as
 fast as Box2D. [What was aimed at, and what holds back the rows that miss it](../docs/plane.md#speed-and-where-it-ends-so-far).
 
 ```
