@@ -24,7 +24,7 @@ bool share_a_stretch(double low, double high, double reach_a, double reach_b, co
 }
 
 /// The error of the normal of tapered cores: the search finds it within the root of its goal only.
-const double searched_normal = 4 * std::sqrt(goal);
+double searched_normal() { return 4 * std::sqrt(goal); }
 
 /// The straight side of a shape that faces a normal, seen along that normal: its ends by their place across it and
 /// their height along it, each rounded by a radius of its own.
@@ -198,7 +198,7 @@ template <class T>
 Vec2d settled_normal(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& n) {
   if (a.kind != CoreKind::tapered && b.kind != CoreKind::tapered) return n;
   const auto stands_for = [&](const Side& side) {
-    return side.straight && !side.endless && std::abs(side.leaning) <= searched_normal && side.facing > 0;
+    return side.straight && !side.endless && std::abs(side.leaning) <= searched_normal() && side.facing > 0;
   };
   const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n);
   if (const Side side = side_towards(a, n, left(n), 0); stands_for(side)) return side.own;
@@ -318,7 +318,7 @@ Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in
   const bool faces = of_a.straight && of_b.straight && !(of_a.endless && of_b.endless);
   const bool tapered = a.kind == CoreKind::tapered || b.kind == CoreKind::tapered;
   if (!faces || !share_a_stretch(low, high, of_a.reach, of_b.reach, b_in_a.translation,
-                                 tapered ? searched_normal : touching_rounding)) {
+                                 tapered ? searched_normal() : touching_rounding)) {
     add_nearest(out, a, b, found, margin);
     return out;
   }
