@@ -189,7 +189,7 @@ bench-resolution: ## run the solver's table beside Bullet and ODE, and write ben
 	$(call configure,bench)
 	cmake --build --preset bench --parallel $(JOBS) --target bench_resolution bench_plane
 	@build/release/bin/bench_resolution $(if $(QUICK),--quick) > build/RESOLUTION.md
-	@build/release/bin/bench_plane --scene . >> build/RESOLUTION.md
+	@build/release/bin/bench_plane --scene . $(if $(QUICK),--scale 0.2 --steps 100) >> build/RESOLUTION.md
 	@mv build/RESOLUTION.md bench/RESOLUTION.md
 
 .PHONY: bench-python

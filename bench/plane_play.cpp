@@ -1,7 +1,7 @@
 // How long engines take for a step of a scene of the plane, and how well bodies and hinges hold.
 //
-// Time is that of the processor. Depths are measured alike for all, by Graze's contacts in double, with the bodies where
-// the engine left them.
+// Time is that of the processor. Depths are measured alike for all, by Graze's contacts in double, with the bodies
+// where the engine left them.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

@@ -1,5 +1,5 @@
-// The scenes: what many engines of the plane are measured by, with this library's own measures. A pyramid, many of them,
-// a net of hinges, a drum, a heap that is shot at, a paddle in a ring, and a rain of people.
+// The scenes: what many engines of the plane are measured by, with this library's own measures. A pyramid, many of
+// them, a net of hinges, a drum, a heap that is shot at, a paddle in a ring, and a rain of people.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -60,7 +60,7 @@ else
   casts=()
   typed=()
   compact=()
-  plane=()
+  plane=(--scale 0.5 --steps 120)
   compare=()
 fi
 [[ -z $poses ]] || pile+=(--poses "$poses")

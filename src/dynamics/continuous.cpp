@@ -219,11 +219,11 @@ std::vector<std::uint32_t> fast_bodies(const SimulationParts<T, Space>& parts, T
 }
 
 /// The time at which an impact holds its bodies back, `dt` for one that does not. Two that meet go on where the step
-/// takes them no deeper than it may without a cast: the next one finds their contact, as that of slow bodies. Those that
-/// fall side by side meet all the time, and each that is held back is struck by those behind it. Rows of contacts let
-/// bodies approach little: a body that slides fast is not held back by the one it slides on. A body that sinks beside
-/// the points of contact goes on by a part of what it may, or it would hang there; so does one that touches another and
-/// has no point of contact with it, until it overlaps that, which gives it one.
+/// takes them no deeper than it may without a cast: the next step finds their contact, as that of slow bodies. Bodies
+/// that fall side by side meet all the time, and each that is held back is struck by those behind it. Rows of contacts
+/// let bodies approach little: a body that slides fast is not held back by the one it slides on. A body that sinks
+/// beside the points of contact goes on by a part of what it may, or it would hang there; so does one that touches
+/// another and has no point of contact with it, until it overlaps that, which gives it one.
 template <class T, class Space>
 T holding_time(const SimulationParts<T, Space>& parts, const Impact<T, Space>& impact,
                std::span<const typename Space::Velocity> mean, T dt) {

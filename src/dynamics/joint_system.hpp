@@ -13,7 +13,7 @@
 // bounds it where a linkage is stretched out.
 //
 // Guarantee: the impulses make all rates of locked axes of the tree what is wanted, up to rounding, in time linear in
-// the joints; a row that follows from others is left out. Loops cost the square of their rows and their rows times the
+// the joints; a row that follows from others is left out. Loops cost the cube of their rows and their rows times the
 // joints of their linkage, and are left to the caller beyond `most_loop_rows` and `most_loop_work`.
 #pragma once
 

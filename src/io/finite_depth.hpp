@@ -3,16 +3,17 @@
 // Guarantee: nothing happens for any other distance.
 #pragma once
 
+#include <string>
+
 #include "graze/error.hpp"
 #include "graze/result.hpp"
 
 namespace graze::io {
 
-/// Throws `InvalidValue` for the distance of two half-spaces, or in the plane `half_planes`, that overlap without end.
-inline void require_finite_depth(Status status, bool half_planes = false) {
+/// Throws `InvalidValue` for the distance of two half-spaces that overlap without end. `called`: what they are called.
+inline void require_finite_depth(Status status, const std::string& called = "half-spaces") {
   if (status == Status::unbounded)
-    throw InvalidValue("a, b", "shapes of finite depth",
-                       half_planes ? "two half-planes that are not opposite" : "two half-spaces that are not opposite");
+    throw InvalidValue("a, b", "shapes of finite depth", "two " + called + " that are not opposite");
 }
 
 }  // namespace graze::io

@@ -24,7 +24,7 @@ JsonWriter& write_flat(JsonWriter& out, const char* key, const plane::Vec2<T>& v
 template <class T>
 void write_plane_distance(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) {
   const plane::Distance<T> d = plane::distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, trace);
-  require_finite_depth(d.status, true);
+  require_finite_depth(d.status, "half-planes");
   if (q.limit && d.distance > *q.limit) {
     out.key("beyond").value(true);
     return;
@@ -165,7 +165,7 @@ void explain_in_plane(const PlaneQuestion<T>& q, Explanation& e) {
     e.overlap = plane::overlap(a.shape, a.pose, b.shape, b.pose, &e.trace);
   } else if (q.query == QueryKind::distance) {
     const plane::Distance<T> d = plane::distance(a.shape, a.pose, b.shape, b.pose, &e.trace);
-    require_finite_depth(d.status, true);
+    require_finite_depth(d.status, "half-planes");
     e.distance = widened_flat(d.distance, d.normal, d.a, d.b, d.status, d.error);
     e.overlap = d.distance <= T(0);
   } else {

@@ -118,6 +118,17 @@ bool lies_behind(const Shape<T>& shape, const Pose2d& pose, const Vec2d& on_line
   return behind;
 }
 
+/// Whether a point has a surer name than another one in the same place, as two pieces that both have it name it: a
+/// vertex is surer than an edge, whichever shape is A and whichever piece came first.
+template <class T>
+bool is_surer_name(const ContactPoint<T>& p, const ContactPoint<T>& q) {
+  const auto key = [](std::uint32_t feature) {
+    const std::uint32_t a = feature >> 16, b = feature & 0xffff;
+    return std::pair(std::max(a, b), std::min(a, b));
+  };
+  return key(p.feature) < key(q.feature);
+}
+
 /// The depth, as a multiple of that of the nearest way out, from which on a neighbour's normal holds a piece that the
 /// body does not rest on: a body that leans over a seam gets a few times as deep along the right one.
 constexpr double far_deeper = 8;
@@ -147,8 +158,8 @@ bool Joined<T>::faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pos
          (!b.chain || face(b, pair.pose_b, body_center(a_, pose_a_, far), side_b_));
 }
 
-/// Whether another piece has the contact, if any has: the normal is that of an edge beside this one, or of an edge on the
-/// far side, over which the other body has not come in, since it lies wholly behind it.
+/// Whether another piece has the contact, if any has: the normal is that of an edge beside this one, or of an edge on
+/// the far side, over which the other body has not come in, since it lies wholly behind it.
 template <class T>
 bool Joined<T>::gives_way(const OnOutline& found, const LeafPair<T>& pair) const {
   if (found.of_neighbour) return true;
@@ -280,17 +291,6 @@ template <class T>
 void Joined<T>::unite() {
   for (std::size_t i = out_.size(); i-- > first_ + 1;)
     if (extend(out_[i], i)) out_.erase(out_.begin() + static_cast<std::ptrdiff_t>(i));
-}
-
-/// Of points in the same place, as pieces of which both have it name it, the one that stays, whichever shape is A and
-/// whichever piece came first: a vertex is a surer name than an edge.
-template <class T>
-bool is_surer_name(const ContactPoint<T>& p, const ContactPoint<T>& q) {
-  const auto key = [](std::uint32_t feature) {
-    const std::uint32_t a = feature >> 16, b = feature & 0xffff;
-    return std::pair(std::max(a, b), std::min(a, b));
-  };
-  return key(p.feature) < key(q.feature);
 }
 
 /// Adds a manifold to the one that it goes on from, if there is one before the place `end`.

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "plane/shared_stretch.hpp"
+
 namespace graze::plane {
 
 namespace {
@@ -9,19 +11,6 @@ namespace {
 /// The least cosine between the normal of an edge and that of the contact for the edge to be clipped by the other's: 60
 /// degrees.
 constexpr double least_facing = 0.5;
-
-/// The coordinates of the two ends of a side, added up.
-double reach_of(const Vec2d& p, const Vec2d& q) {
-  return std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
-}
-
-/// Whether two sides share more across the normal than a part of their ends and of the way between their origins: the
-/// rounding of these, or where the normal was searched for its error. Along the way from a vertex to a vertex, the edges
-/// that begin there share a point, or nothing, as rounding has it.
-bool share_a_stretch(double low, double high, double reach_a, double reach_b, const Vec2d& way,
-                     double part = touching_rounding) {
-  return high - low > part * (reach_a + reach_b + std::abs(way.x) + std::abs(way.y));
-}
 
 /// The error of the normal of tapered cores: the search finds it within the root of its goal only.
 double searched_normal() { return 4 * std::sqrt(goal); }

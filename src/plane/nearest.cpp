@@ -49,7 +49,7 @@ Nearest swapped(const Nearest& of_b, const Pose2d& b_in_a) {
   return out;
 }
 
-/// Whether a core is an ellipse with an area, seen by itself: what has none is a segment or a point.
+/// Whether a core is an ellipse with an area; one without is a segment or a point.
 template <class T>
 bool is_round(const Core<T>& core) {
   return core.kind == CoreKind::ellipse && core.radii.x > 0 && core.radii.y > 0;

@@ -127,8 +127,8 @@ struct Axis {
   OnOutline points{};
 };
 
-/// Whether a core has an inside out of which `other` leads by its outline: a piece of a solid polygon, or a polygon that
-/// meets a piece of one. What a line's segment leaves no normal for has a contact with the next segment.
+/// Whether a core has an inside on whose far side `other` must not come out: a piece of a solid polygon, or a polygon
+/// that meets no line. What a line's segment leaves no normal for has a contact with the next segment.
 template <class T>
 bool is_solid(const Core<T>& core, const Core<T>& other) {
   return core.kind == CoreKind::polygon && core.count > 2 && !core.chain && (core.outline || !other.chain);

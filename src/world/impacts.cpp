@@ -52,7 +52,8 @@ void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree
     else
       fastest = greatest(fastest, speed_of(bodies, i));
   }
-  // Two fast bodies can meet anywhere on their ways: a tree of these, since in a crowd that is blown apart all are fast.
+  // Two fast bodies can meet anywhere on their ways: a tree of these, since in a crowd that is blown apart all are
+  // fast.
   DynamicTree<T> ways;
   for (std::uint32_t k = 0; k < fast.size(); ++k) ways.insert(k, way_of(sweep_of(bodies, fast[k], duration, T(0))));
   std::vector<std::vector<Impact<T, Space>>> found((fast.size() + fast_bodies_per_task - 1) / fast_bodies_per_task);

@@ -184,8 +184,8 @@ TEST(ContinuousCrowd, CardsThatFallOnCardsDoNotPassThrough) {
   }
 }
 
-/// Columns of boxes of the plane that fall by half their size in a step, a fifth of it apart: those below stop first, and
-/// none of those above goes on into them once the lowest have come to rest.
+/// Columns of boxes of the plane that fall by half their size in a step, a fifth of it apart: those below stop first,
+/// and none of those above goes on into them once the lowest have come to rest.
 TEST(ContinuousCrowd, ColumnsThatFallInThePlaneStayColumns) {
   constexpr double size = 0.25, apart = 0.3;
   constexpr int columns = 10, rows = 45;

@@ -44,8 +44,8 @@ void play_in_plane(unsigned seed) {
     ASSERT_LE(energy, first * (1 + 1e-4)) << seed << ", step " << i;
     ASSERT_LE(energy, lowest + rise) << seed << ", step " << i;
     lowest = std::min(lowest, energy);
-    // Deepest are bodies of which the front one stops while the other goes on. In one of 3,000 scenes, 1317, two concave
-    // ones are so deep in each other that the way out is told the other way round, 0.96 for a step.
+    // Deepest are bodies of which the front one stops while the other goes on. In one of 3,000 scenes, 1317, two
+    // concave ones are so deep in each other that the way out is told the other way round, 0.96 for a step.
     ASSERT_LT(report.deepest, T(0.5)) << seed << ", step " << i;
     for (const BodyId body : scene.bodies()) {
       const Vec2<T> center = s.motion(body).center;

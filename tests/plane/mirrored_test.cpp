@@ -50,17 +50,15 @@ bool is_searched(const Named<T>& shape) {
   return capsule && capsule->radius_bottom() != capsule->radius_top();
 }
 
-/// A pose of B about so far from A along a direction, deep or apart by `gap`.
+/// A pose of B in some direction from A, about `gap` apart; less than zero is deep.
 template <class T>
 Pose2<T> pose_near(const Shape<T>& a, const Shape<T>& b, double gap, std::mt19937& random) {
   std::uniform_real_distribution<double> any(-3.2, 3.2);
   const double way = any(random);
   Pose2<T> pose{converted<T>(Vec2d{std::cos(way), std::sin(way)} * 5),
                 Rot2<T>::from_angle(static_cast<T>(any(random)))};
-  for (int step = 0; step < 1; ++step) {
-    const Distance<T> d = distance<T>(a, {}, b, pose);
-    pose.translation -= d.normal * (d.distance - static_cast<T>(gap));
-  }
+  const Distance<T> d = distance<T>(a, {}, b, pose);
+  pose.translation -= d.normal * (d.distance - static_cast<T>(gap));
   return pose;
 }
 

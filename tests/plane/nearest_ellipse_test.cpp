@@ -1,4 +1,5 @@
-// The nearest point of an ellipse, against its definition in extended precision: no other point of the ellipse is nearer.
+// The nearest point of an ellipse, against its definition in extended precision: no other point of the ellipse is
+// nearer.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +11,8 @@
 namespace graze::plane {
 namespace {
 
-/// The distance of a point from an ellipse, negative inside: the least over the angle, by a fine grid and then by thirds.
+/// The distance of a point from an ellipse, negative inside: the least over the angle, by a fine grid and then by
+/// thirds.
 double least_distance(const Vec2d& radii, const Vec2d& at) {
   const auto far = [&](long double angle) {
     return std::hypot(radii.x * std::cos(angle) - at.x, radii.y * std::sin(angle) - at.y);

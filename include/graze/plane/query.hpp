@@ -75,8 +75,8 @@ GRAZE_API Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const 
 ///
 /// Two edges that face each other give a manifold with a point at both ends of the stretch that they share; its feature
 /// names the vertices of both edges at that end, so that it is the same whichever edge ends first, and mirrored when
-/// the shapes are swapped. The deepest point is as deep as `distance`, but of polygons, chains and compounds deep in each
-/// other, whose ways out are those of their outlines, it may be less deep.
+/// the shapes are swapped. The deepest point is as deep as `distance`, but of polygons, chains and compounds deep in
+/// each other, whose ways out are those of their outlines, it may be less deep.
 ///
 /// Two half-planes that are not opposite overlap without a depth and so without points.
 template <class T>

@@ -76,7 +76,7 @@ struct LanePolygonSide {
     const Vec2<S> low = forward ? best.start : best.end, high = forward ? best.end : best.start;
     low_across = dot(low, along), low_height = dot(low, n);
     high_across = dot(high, along), high_height = dot(high, n);
-    reach = abs(low.x) + abs(low.y) + abs(high.x) + abs(high.y);
+    reach = reach_of(low, high);
   }
   [[gnu::always_inline]] void move(const S& across, const S& height) {
     low_across += across, high_across += across;
@@ -119,9 +119,8 @@ template <class S, std::size_t N>
   LanePolygonSide<S> b(edge_b, pair.radius_b, toward_a, along_b, false);
   b.move(dot(t, along), -dot(t, n));
   const S low = greatest(a.low_across, b.low_across), high = least(a.high_across, b.high_across);
-  const S reach = a.reach + b.reach + abs(t.x) + abs(t.y);
   const auto facing = near & (pair.a.count > one) & (pair.b.count > one) & (edge_a.facing >= least_facing) &
-                      (edge_b.facing >= least_facing) & (high - low > S(touching_rounding) * reach);
+                      (edge_b.facing >= least_facing) & share_a_stretch(low, high, a.reach, b.reach, t);
   if (!any(facing)) return out;
   const auto point = [&](const S& across, const S& vertex_a, const S& vertex_b) __attribute__((always_inline)) {
     const S height_a = a.height_at(across), height_b = -b.height_at(across);

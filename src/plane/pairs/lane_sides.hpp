@@ -4,8 +4,8 @@
 // the reference of the other, so that a swap of the shapes mirrors the points and their features.
 #pragma once
 
-#include "plane/nearest.hpp"
 #include "plane/pairs/lane_pair.hpp"
+#include "plane/shared_stretch.hpp"
 
 namespace graze::plane {
 
@@ -57,7 +57,7 @@ side_between(const Vec2<S>& right_end, const Vec2<S>& left_end, const S& right_f
   side.low_vertex = vertex_number(right_feature);
   side.high_vertex = vertex_number(left_feature);
   side.radius = radius;
-  side.reach = abs(right_end.x) + abs(right_end.y) + abs(left_end.x) + abs(left_end.y);
+  side.reach = reach_of(right_end, left_end);
   return side;
 }
 
@@ -194,8 +194,8 @@ template <LaneCore core_a, LaneCore core_b, class S>
     const LaneSide<S> b =
         seen_from_a(side_towards<core_b>(pair.b, inverse_rotate(pair.b_in_a.rotation, -n)), pair.b_in_a.translation, n);
     const S low = greatest(a.low_across, b.low_across), high = least(a.high_across, b.high_across);
-    const S reach = a.reach + b.reach + abs(pair.b_in_a.translation.x) + abs(pair.b_in_a.translation.y);
-    const auto facing = near & a.straight & b.straight & (high - low > S(touching_rounding) * reach);
+    const auto facing =
+        near & a.straight & b.straight & share_a_stretch(low, high, a.reach, b.reach, pair.b_in_a.translation);
     if (!any(facing)) return out;
     const LanePoint<S> at_low = point_between(a, b, n, low, joined_features(a.low_vertex, b.low_vertex)),
                        at_high = point_between(a, b, n, high, joined_features(a.high_vertex, b.high_vertex));
