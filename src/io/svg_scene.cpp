@@ -337,7 +337,7 @@ class SvgReader {
       if (!(cutting_ <= most_cutting))
         throw InvalidValue("", "solid outlines of fewer points, in all (20,000 in one; chains may have more)",
                            std::to_string(points.size()) + " more");
-      return put(element, context, {plane::Polygon<double>(points), margin}, pose, body);
+      return put(element, context, {solid_polygon(points, pose.translation), margin}, pose, body);
     }
     plane::ChainSides sides = plane::ChainSides::both;
     with(element, "data-sides", [&](std::string_view text) {
@@ -345,6 +345,18 @@ class SvgReader {
       if (text == "one") sides = plane::ChainSides::one;
     });
     return put(element, context, {plane::Chain<double>(points, path.closed, sides), margin}, pose, body);
+  }
+
+  /// A solid polygon of points about `middle`. What it refuses is told with that middle, from which the drawing's own
+  /// coordinates follow.
+  static plane::Polygon<double> solid_polygon(const std::vector<Vec2d>& points, const Vec2d& middle) {
+    try {
+      return plane::Polygon<double>(points);
+    } catch (const InvalidValue& fault) {
+      throw InvalidValue(fault.path(), fault.expectation(),
+                         fault.found() + " from the middle [" + validate::number(middle.x) + ", " +
+                             validate::number(middle.y) + "] of the shape, with Y up");
+    }
   }
 
   PlaneSceneBuilder scene_;

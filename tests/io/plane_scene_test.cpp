@@ -224,6 +224,13 @@ TEST(PlaneSvg, NoFileCanExhaustTheProcess) {
   EXPECT_EQ(svg("<polyline points=\"" + wheel + "\"/>").colliders.size(), 1u);
 }
 
+/// A shape's points are about its middle, and whoever looks for a refused one in the drawing is told where that is.
+TEST(PlaneSvg, AnOutlineThatCrossesItself) {
+  const std::string crossed = refused("<polygon points='10,10 30,30 30,10 10,30'/>");
+  EXPECT_NE(crossed.find("points[0]"), std::string::npos) << crossed;
+  EXPECT_NE(crossed.find("[-10, 10] from the middle [20, -20]"), std::string::npos) << crossed;
+}
+
 TEST(PlaneJson, BodiesOfTheProtocol) {
   const PlaneScene scene = load_plane_json(
       R"x({"dimension": 2, "bodies": [
