@@ -29,6 +29,8 @@ std::string cylinders(const EngineKind& kind);      ///< how many sleep, since w
 std::string balls_in_bowl(const EngineKind& kind);  ///< the same
 std::string through_wall(const EngineKind& kind, double size, bool moving_wall);
 std::string past_post(const EngineKind& kind, double rate, bool moving_post);
+/// Change of momentum and of angular momentum, at most and in the mean, in a second in which two bodies meet.
+std::string meeting(const EngineKind& kind, double restitution, double friction);
 
 // A pile (resolution_pile.cpp).
 std::string pile(const EngineKind& kind);          ///< time of a step, depth, energy at three quarters and at the end

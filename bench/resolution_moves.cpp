@@ -212,4 +212,53 @@ std::string past_post(const EngineKind& kind, double rate, bool moving_post) {
   return std::to_string(unnoticed);
 }
 
+namespace {
+
+/// Two things of a metre or less, of which the second comes at the first at 10 m/s, as a rule not through its middle.
+std::vector<Thing> meeting_pair(Random& random, double restitution, double friction) {
+  std::vector<Thing> things;
+  for (int k = 0; k < 2; ++k) {
+    const double kind = random.number(0, 3), a = random.number(0.2, 1), b = random.number(0.2, 1);
+    Thing thing = kind < 1   ? box({}, {a, b, random.number(0.2, 1)})
+                  : kind < 2 ? round(Form::ball, {}, a / 2)
+                             : round(Form::cylinder, {}, a / 2, b);
+    thing.pose.rotation = random.rotation();
+    thing.angular = random.in_cube(3);
+    thing.restitution = restitution;
+    thing.friction = friction;
+    things.push_back(thing);
+  }
+  const Vec3d way = random.direction(), aside = random.in_cube(0.3);
+  things[1].pose.translation = aside - way * 3.0;
+  things[1].linear = way * 10.0;
+  return things;
+}
+
+}  // namespace
+
+std::string meeting(const EngineKind& kind, double restitution, double friction) {
+  Random random(11);
+  double momentum = 0, most = 0, sum = 0;
+  const int pairs = 600;
+  for (int i = 0; i < pairs; ++i) {
+    Run run(kind, meeting_pair(random, restitution, friction), {.gravity = {}, .continuous = true});
+    const double m[] = {mass_of(run.things()[0]).mass, mass_of(run.things()[1]).mass};
+    const auto linear = [&] { return run.moving(0).linear * m[0] + run.moving(1).linear * m[1]; };
+    const auto angular = [&] {
+      Vec3d all{};
+      for (std::size_t k = 0; k < 2; ++k)
+        all += cross(run.at(k), run.moving(k).linear) * m[k] + run.angular_momentum(k);
+      return all;
+    };
+    const Vec3d p = linear(), l = angular();
+    run.steps(1 * seconds);
+    // A metre at 10 m/s of the mass that two bodies have in their motion against each other.
+    const double scale = 10 * m[0] * m[1] / (m[0] + m[1]), change = length(angular() - l) / scale;
+    momentum = std::max(momentum, length(linear() - p) / scale);
+    most = std::max(most, change);
+    sum += change;
+  }
+  return printed("%.0e", momentum) + printed(", %.0e", most) + printed(", %.0e", sum / pairs);
+}
+
 }  // namespace graze::bench

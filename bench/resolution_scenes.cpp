@@ -71,6 +71,11 @@ std::vector<ResolutionRow> resolution_rows(bool long_ones) {
            "yes; yes; -", same_bits);
   measured("l five boxes of 1 mm / 1 cm / 10 cm / 1 m / 100 m: sink of a size", "from 1 cm up",
            "odd / no / 6 % / 0.6 % / 0", "no / no / 2.4 % / 0.2 % / 0", sizes);
+  measured("m 600 pairs meet at 10 m/s: change of momentum, of angular momentum at most, mean", "rounding", "-", "-",
+           [](K k) { return meeting(k, 0, 0); });
+  measured("m the same, friction 0.6", "rounding", "-", "-", [](K k) { return meeting(k, 0, 0.6); });
+  measured("m the same, restitution 0.5", "rounding", "-", "-", [](K k) { return meeting(k, 0.5, 0); });
+  measured("m the same, friction 0.6, restitution 0.5", "rounding", "-", "-", [](K k) { return meeting(k, 0.5, 0.6); });
   return rows;
 }
 

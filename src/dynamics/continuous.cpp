@@ -267,7 +267,9 @@ struct Meetings {
 };
 
 /// Casts the bodies whose ways are new. The fast ones are held back by what they meet before `until`, and what they
-/// meet by those that cannot be. `pushed`: by contacts or joints, in this step; a sleeper that is struck becomes so.
+/// meet by those that cannot be. What flies freely is held back with what it meets, fast or not: both end on their own
+/// ways, along their velocities, which keeps their angular momentum. `pushed`: by contacts or joints, in this step; a
+/// sleeper that is struck becomes so.
 template <class T, class Space>
 Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<const std::uint32_t> fast,
                                  std::span<const std::uint32_t> anew, std::span<const typename Space::Velocity> mean,
@@ -295,8 +297,9 @@ Meetings<T, Space> find_meetings(SimulationParts<T, Space>& parts, std::span<con
   for (const std::uint32_t i : fast) {
     if (!(found.first[i].time < dt)) continue;
     found.ends[i] = found.first[i].time;
-    const std::uint32_t striking = found.first[i].other;
-    if (pushed[i] != 0 && parts.bodies[striking].movable) found.ends[striking] = found.first[striking].time;
+    const std::uint32_t other = found.first[i].other;
+    const bool other_flies = pushed[other] == 0 && !parts.bodies[other].asleep;
+    if ((pushed[i] != 0 || other_flies) && parts.bodies[other].movable) found.ends[other] = found.first[other].time;
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!(driven[i].time < found.ends[i])) continue;
