@@ -49,7 +49,7 @@ struct Wide {
 
   [[gnu::always_inline]] Wide() : v{} {}
   /// A number in all lanes.
-  [[gnu::always_inline]] explicit(false) Wide(T value) : v(value - Vector{}) {}
+  [[gnu::always_inline]] explicit(false) Wide(T value) : v(detail::read_here(value) - Vector{}) {}
   /// The value of a compiler's vector.
   [[gnu::always_inline]] static Wide of(const Vector& vector) {
     Wide w;

@@ -124,6 +124,20 @@ export const checks = [
       equal(entry.raycast(box, {}, { origin: [-5, 0, 0], direction: [2, 0, 0], length: 3 }), null, "short ray");
       equal(entry.raycastAny(box, {}, { origin: [-5, 3, 0], direction: [1, 0, 0] }), false, "ray beside");
       equal(entry.raycastAll(box, {}, { origin: [-5, 0, 0], direction: [1, 0, 0] }).length, 1, "hits");
+      // A surface of one triangle is met as the triangle alone, along whichever axis the ray is longest.
+      const corners = [[0, 0, 0], [2, 0, 0], [0, 2, 0]];
+      const triangle = new entry.Triangle(...corners), mesh = new entry.Mesh(corners, [[0, 1, 2]]);
+      const field = new entry.HeightField([0, 0, 0, 0], 2, 2);
+      for (const direction of [[3, 0.5, -1], [-3, 0.5, -1], [0.5, 3, -1], [0.5, -3, -1], [0.5, 0.5, -1]]) {
+        const ray = { origin: direction.map((d, i) => (i < 2 ? 0.5 : 0) - d), direction };
+        const t = entry.raycast(triangle, {}, ray).t;
+        close(entry.raycast(mesh, {}, ray)?.t, t, 1e-6, `mesh, ray along ${direction}`);
+        equal(entry.raycastAny(mesh, {}, ray), true, `any of a mesh, ray along ${direction}`);
+        const [x, y, z] = ray.origin;
+        const level = { origin: [x - 0.25, z, y - 0.6], direction: [direction[0], direction[2], direction[1]] };
+        const onField = entry.raycast(field, {}, level);
+        close(onField?.t, t, 1e-6, `height field, ray along ${direction}`);
+      }
       const near = entry.closest(box, {}, [3, 0, 0]);
       equal([near.distance, near.point, near.normal], [2, [1, 0, 0], [1, 0, 0]], "closest");
       const cast = entry.cast({ shape: box }, { shape: ball, translation: [9, 0, 0], linear: [-15, 0, 0] });
@@ -1772,9 +1786,10 @@ export const checks = [
     equal(queries.draw, undefined, "graze/queries draws nothing");
   }],
 
-  ["the long run has the bits of every other build", ({ longRun }) => {
-    equal(longRun.hash_float(), longRun.golden_float(), "float");
-    equal(longRun.hash_double(), longRun.golden_double(), "double");
+  ["the runs have the bits of every other build", ({ longRun }) => {
+    for (const [run, name] of ["batches", "single questions", "what moves", "the plane"].entries())
+      for (const inDouble of [0, 1])
+        equal(longRun.hash(run, inDouble), longRun.golden(run, inDouble), `${name} in ${inDouble ? "double" : "float"}`);
   }],
 
   ["nothing leaks", ({ graze }) => {
