@@ -188,7 +188,7 @@ bool lay_faces(const Side<T>& a, const Side<T>& b, const MeetingFaces& faces, T 
   return false;
 }
 
-/// The support face of a body that lies on a half-space, each vertex with its own height.
+/// The face of a body on a half-space that leans least from it, each vertex with its own height.
 template <class T>
 void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const Shape<T>& body, const Pose<T>& pose,
                         T margin, Manifold<T>& manifold) {
@@ -196,7 +196,7 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
   const Side<T> side(body, relative_in_double(plane_pose, pose));
   const Vec3d up{0, 1, 0};
   const auto lift = static_cast<double>(plane.rounding());
-  const PlacedFace face = side.face(-up);
+  const PlacedFace face = side.face_on_plane(-up);
   const RoundedFace rounded(face, -up, side.radius());
   for (std::size_t i = 0; i < face.vertices.size(); ++i) {
     const double rise = side.radius() > 0 ? side.rise(rounded, face.vertices[i], -up).value_or(side.radius()) : 0;

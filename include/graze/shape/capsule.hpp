@@ -48,14 +48,14 @@ class Capsule {
   }
 
   /// The generator of the side that faces `direction`, where one does; else a point of an end ball.
-  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+  void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
     face.clear();
     const Vec3<T> n = normalized(direction);
     const T bottom = radius_bottom_ - core_radius(), top = radius_top_ - core_radius();
     const T height = T(2) * half_height_;
     // The side leans from the axis by the angle whose sine is (bottom - top) / height.
-    const T lean = n.y * height - (bottom - top);
-    if (height > magnitude(bottom - top) && lean <= face_lean<T> * height && -lean <= face_lean<T> * height) {
+    const T rise = n.y * height - (bottom - top);
+    if (height > magnitude(bottom - top) && magnitude(rise) <= lean * height) {
       // The generators end where the end balls' normals equal the side's.
       const Vec3<T> across = normalized(Vec3<T>{n.x, T(0), n.z}, {T(1), T(0), T(0)});
       using std::sqrt;
@@ -65,8 +65,8 @@ class Capsule {
       face.push(Vec3<T>{T(0), half_height_, T(0)} + side * top, 1);
       return;
     }
-    face.push(core_support(direction), lean > T(0) ? 1 : 0);
-    face.id = lean > T(0) ? 2 : 1;
+    face.push(core_support(direction), rise > T(0) ? 1 : 0);
+    face.id = rise > T(0) ? 2 : 1;
   }
 
   Aabb<T> core_bounds(const Pose<T>& pose) const {

@@ -57,26 +57,29 @@ class Cylinder {
   }
 
   /// A cap (as a regular polygon of `cap_vertices` inscribed in the rim, with a corner where the rim reaches furthest),
-  /// a generator of the side, or a point.
-  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+  /// a generator of the side, or a point. Beyond `face_lean` the one of cap and side that leans less.
+  void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
     using std::sqrt;
     face.clear();
     const Vec3<T> n = normalized(direction);
     const T across = sqrt(n.x * n.x + n.z * n.z);
     if (across <= face_lean<T>) return cap(n, across, face);
+    using std::abs;
     const T height = T(2) * half_height_, taper = radius_bottom_ - radius_top_;
     const T slant = sqrt(height * height + taper * taper);
     const Vec3<T> out{n.x / across, T(0), n.z / across};
     // (height, taper) / slant is the side's normal in the half-plane through the axis; its tangent is (-taper, height).
-    const T lean = n.y * height - across * taper;
-    if (slant > T(0) && lean <= face_lean<T> * slant && -lean <= face_lean<T> * slant) {
+    const T rise = n.y * height - across * taper;
+    const bool has_cap = (n.y >= T(0) ? radius_top_ : radius_bottom_) > T(0);
+    if (has_cap && across <= lean && across * slant <= abs(rise)) return cap(n, across, face);
+    if (slant > T(0) && abs(rise) <= lean * slant) {
       face.push({out.x * radius_bottom_, -half_height_, out.z * radius_bottom_}, 0);
       face.push({out.x * radius_top_, half_height_, out.z * radius_top_}, 1);
       face.id = 2;
       return;
     }
-    face.push(core_support(n), lean > T(0) ? 1 : 0);
-    face.id = lean > T(0) ? 4 : 3;
+    face.push(core_support(n), rise > T(0) ? 1 : 0);
+    face.id = rise > T(0) ? 4 : 3;
   }
 
   Aabb<T> core_bounds(const Pose<T>& pose) const {

@@ -112,11 +112,11 @@ class LineSegment {
   Vec3<S> core_support(const Vec3<S>& direction) const {
     return converted<S>(points_[detail::furthest(points_, 2, direction)]);
   }
-  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+  void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
     face.clear();
     const Vec3<T> edge = points_[1] - points_[0];
     const T along = dot(normalized(direction), edge);
-    const T limit = face_lean<T> * length(edge);
+    const T limit = lean * length(edge);
     if (along <= limit) face.push(points_[0], 0);
     if (-along <= limit) face.push(points_[1], 1);
   }

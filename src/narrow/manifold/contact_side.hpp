@@ -29,6 +29,7 @@ class Side {
       using C = std::decay_t<decltype(c)>;
       flat_sided_ = std::is_same_v<C, Box<T>> || std::is_same_v<C, Rectangle<T>> || std::is_same_v<C, Triangle<T>> ||
                     std::is_same_v<C, ConvexHull<T>>;
+      straight_ = std::is_same_v<C, Capsule<T>> || std::is_same_v<C, LineSegment<T>>;
       whole_ = has_core(c) || std::is_same_v<C, Triangle<T>>;
     });
   }
@@ -42,23 +43,16 @@ class Side {
   Vec3d core_support(const Vec3d& direction) const {
     return placed(ShapeCore<T>(shape_).core_support(transposed_times(turn_, direction)));
   }
-  /// The support face, which leans little from the direction; with `sides`, for a flat-sided shape the one that leans
-  /// least.
+  /// The support face, which leans little from the direction; with `sides`, the one that leans least, but of capsules and
+  /// segments, whose special pairs have one point where their side leans.
   PlacedFace face(const Vec3d& direction, bool sides = false) const {
-    Face<T> face;
-    const Vec3<T> local = converted<T>(transposed_times(turn_, direction));
-    shape_.visit([&](const auto& c) {
-      using C = std::decay_t<decltype(c)>;
-      if constexpr (requires { c.core_face(local, face, T()); })
-        c.core_face(local, face, sides ? side_lean<T> : face_lean<T>);
-      else if constexpr (BoundedConvex<C>)
-        c.core_face(local, face);
-    });
-    PlacedFace there;
-    there.id = face.id;
-    for (const Vec3<T>& v : face.vertices) there.vertices.push_back(placed(converted<double>(v)));
-    for (const std::uint32_t id : face.ids) there.ids.push_back(id);
-    return there;
+    return face_within(direction, sides && !straight_ ? side_lean<T> : face_lean<T>);
+  }
+  /// The face on a half-space, which clips nothing: the one that leans least. Where the side of a tapered capsule leans,
+  /// an end ball reaches beyond its generator.
+  PlacedFace face_on_plane(const Vec3d& direction) const {
+    const auto* capsule = shape_.template as<Capsule<T>>();
+    return face_within(direction, capsule && capsule->tapered() ? face_lean<T> : side_lean<T>);
   }
   /// The height of the surface over a place on the face, along the unit vector `outward`; nothing where the line misses
   /// it.
@@ -69,6 +63,23 @@ class Side {
   }
 
  private:
+  PlacedFace face_within(const Vec3d& direction, T lean) const {
+    Face<T> face;
+    const Vec3<T> local = converted<T>(transposed_times(turn_, direction));
+    shape_.visit([&](const auto& c) {
+      using C = std::decay_t<decltype(c)>;
+      if constexpr (requires { c.core_face(local, face, T()); })
+        c.core_face(local, face, lean);
+      else if constexpr (BoundedConvex<C>)
+        c.core_face(local, face);
+    });
+    PlacedFace there;
+    there.id = face.id;
+    for (const Vec3<T>& v : face.vertices) there.vertices.push_back(placed(converted<double>(v)));
+    for (const std::uint32_t id : face.ids) there.ids.push_back(id);
+    return there;
+  }
+
   Vec3d placed(const Vec3d& point) const { return turn_ * point + pose_.translation; }
 
   /// Newton's method on the distance to the core, which is convex along the line. A face of a curved core is a polygon
@@ -90,7 +101,7 @@ class Side {
   Posed pose_;
   Mat3d turn_;
   double radius_ = 0, size_ = 0;
-  bool flat_sided_ = false;
+  bool flat_sided_ = false, straight_ = false;
   bool whole_ = false;  ///< nothing of the rounded core protrudes over the edges of its rounded face
 };
 

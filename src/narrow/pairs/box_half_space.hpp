@@ -1,8 +1,8 @@
-// A box on a half-space: the corners of its support face, each with its own height, across lanes.
+// A box on a half-space: the corners of its lowest face, each with its own height, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit, and the
-// lowest point's; the support face is the one that `Box::core_face` gives, up to rounding of its lean, with its
-// vertices in that order. There are points exactly where the distance is within the margin.
+// lowest point's; the face is the one that `Box::core_face` gives up to `side_lean`, with its vertices in that order.
+// There are points exactly where the distance is within the margin.
 #pragma once
 
 #include "narrow/pairs/box_box/clip_box_faces.hpp"
@@ -34,11 +34,8 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
   const Vec3<S> d = face.turned(down), half = face.turned(half_extents), bits = face.turned(Vec3<S>{one, S(2), S(4)});
   const Mat3<S> turn = rotation_of(pose.rotation);
   const Vec3<S> wx = face.turned(turn.row[0]), wy = face.turned(turn.row[1]), wz = face.turned(turn.row[2]);
-  const auto flat = [&](const S& along, const S& length) {
-    using std::abs;
-    return (abs(along) <= S(face_lean<T>)) & (length > zero);
-  };
-  const Mask flat_u = flat(d.x, half.x), flat_v = flat(d.y, half.y), both = flat_u & flat_v;
+  // The lowest face leans by less than 55 degrees: it is the whole one that has points, but for sides of no length.
+  const Mask flat_u = half.x > zero, flat_v = half.y > zero, both = flat_u & flat_v;
   const Mask at_u = d.x >= zero, at_v = d.y >= zero, forward = d.z >= zero;
   // Order of the vertices: around the face as its axes are right-handed; along an edge as it points.
   const Mask all = zero == zero,  // NOLINT(misc-redundant-expression): true in every lane

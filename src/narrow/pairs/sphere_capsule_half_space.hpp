@@ -61,7 +61,7 @@ Rest<S> rest(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose, const 
   const detail::SphereCapsuleRest<S> body(pose, capsule.radius, plane, plane_pose);
   const S zero(0), one(1), half = capsule.core.half_height, length = half * S(2), radius = capsule.radius;
   const S along = body.down.y, steep = body.down.x * body.down.x + body.down.z * body.down.z;
-  const auto lies = abs(along) <= S(face_lean<T>), top = along > zero;
+  const auto lies = abs(along) <= S(side_lean<T>), top = along > zero;
   // Straight below an end of a leaning side, the side or the other end's ball may be lowest.
   const auto rise = [&](const S& toward_other) {
     const S side = radius / sqrt(select(lies, steep, one)), place = side * toward_other;

@@ -1,8 +1,8 @@
 // A triangle on a half-space: the corners of its support face, each with its own height, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit, and the
-// lowest point's; the support face is the one that `Triangle::core_face` gives, up to rounding of its lean, with its
-// vertices in that order. There are points exactly where the distance is within the margin.
+// lowest point's; the face is the one that `Triangle::core_face` gives up to `side_lean`, up to rounding of its lean, with
+// its vertices in that order. There are points exactly where the distance is within the margin.
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
@@ -24,7 +24,7 @@ struct LowFace {
   /// `down`: unit. The first of equally low corners counts.
   LowFace(const TriangleCore<S>& triangle, const Vec3<S>& down) {
     const auto& p = triangle.point;
-    const S zero(0), one(1), two(2), lean(face_lean<typename LaneOf<S>::type>);
+    const S zero(0), one(1), two(2), lean(side_lean<typename LaneOf<S>::type>);
     const auto direction = [](const Vec3<S>& v) { return direction_of(v, length(v)); };
     const Vec3<S> along[3] = {direction(p[1] - p[0]), direction(p[2] - p[1]), direction(p[0] - p[2])};
     // A product of unit edges: neither the normal nor its length depends on the size of the triangle.
