@@ -99,7 +99,7 @@ Joint<T> slider_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>&
   Joint<T> joint{
       a, b, frame_a, frame_b, {{JointSpace::linear, {false, true, true}}, {JointSpace::angular, {true, true, true}}},
       {}};
-  if (min > -std::numeric_limits<T>::infinity() || max < std::numeric_limits<T>::infinity())
+  if (!(min == -std::numeric_limits<T>::infinity() && max == std::numeric_limits<T>::infinity()))
     joint.limits.push_back({JointSpace::linear, {true, false, false}, min, max, {}, T(0)});
   return joint;
 }

@@ -40,8 +40,14 @@ T finite(T value, const std::string& path) {
   return value;
 }
 
+void check_space(JointSpace space, const std::string& path) {
+  if (space > JointSpace::angular)
+    throw InvalidValue(path, "linear or angular", std::to_string(static_cast<int>(space)));
+}
+
 template <class T>
 void check_limit(const JointLimit<T>& limit, const std::string& path) {
+  check_space(limit.space, path + ".space");
   if (count(limit.axes) == 0) throw InvalidValue(path + ".axes", "at least one axis", "none");
   constexpr T infinity = std::numeric_limits<T>::infinity();
   if (!(limit.min < infinity))
@@ -56,6 +62,9 @@ void check_limit(const JointLimit<T>& limit, const std::string& path) {
 
 template <class T>
 void check_drive(const JointDrive<T>& drive, const std::string& path) {
+  check_space(drive.space, path + ".space");
+  if (drive.mode > DriveMode::acceleration)
+    throw InvalidValue(path + ".mode", "force or acceleration", std::to_string(static_cast<int>(drive.mode)));
   if (drive.axis > 2) throw InvalidValue(path + ".axis", "0, 1 or 2", std::to_string(drive.axis));
   finite(drive.position_target, path + ".position_target");
   finite(drive.velocity_target, path + ".velocity_target");

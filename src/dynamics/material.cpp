@@ -1,6 +1,7 @@
 #include "graze/material.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "dynamics/rigid_space.hpp"
 #include "graze/detail/validate.hpp"
@@ -15,6 +16,12 @@ void check_friction(T value, const char* path) {
     validate::fail(path, "a finite number >= 0", static_cast<double>(value));
 }
 
+void check_combine(Combine combine, const char* path) {
+  const int number = static_cast<int>(combine);
+  if (number < 0 || combine > Combine::multiply)
+    throw InvalidValue(path, "unset, average, minimum, maximum or multiply", std::to_string(number));
+}
+
 }  // namespace
 
 template <class T, class Vec>
@@ -25,6 +32,8 @@ void check(const Material<T, Vec>& m) {
   if (!(m.restitution >= T(0) && m.restitution <= T(1)))
     validate::fail("restitution", "a number from 0 to 1", static_cast<double>(m.restitution));
   checked_vector(m.surface_velocity, "surface_velocity");
+  check_combine(m.friction_combine, "friction_combine");
+  check_combine(m.restitution_combine, "restitution_combine");
 }
 
 template void check(const Material<float>&);

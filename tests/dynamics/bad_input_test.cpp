@@ -154,6 +154,8 @@ TYPED_TEST(BadInput, Materials) {
     refused("restitution", [&](Material& m) { m.restitution = bad; });
   }
   refused("restitution", [](Material& m) { m.restitution = T(2); });
+  refused("friction_combine", [](Material& m) { m.friction_combine = static_cast<Combine>(9); });
+  refused("restitution_combine", [](Material& m) { m.restitution_combine = static_cast<Combine>(9); });
   refused("surface_velocity", [&](Material& m) { m.surface_velocity = TestFixture::In::vector(this->nan); });
 }
 
@@ -180,6 +182,18 @@ TYPED_TEST(BadInput, VelocitiesPosesAndForces) {
   this->refuses("", [&] { s.move_to(id, {In::zero, In::no_rotation}, this->step); });
   for (const T dt : {T(0), T(-1), this->nan, this->infinity}) this->refuses("dt", [&] { s.move_to(id, {}, dt); });
   this->refuses("body", [&] { s.move_to(id, {}, this->step); });
+}
+
+/// A bound that is no number beside one that bounds nothing is no bound left out.
+TYPED_TEST(BadInput, BoundsOfSlidersThatAreNoNumbers) {
+  using T = typename TestFixture::T;
+  const auto slider = [&](T min, T max) {
+    return slider_joint(this->first, typename TestFixture::Pose{}, this->second, typename TestFixture::Pose{}, min,
+                        max);
+  };
+  this->refuses("joint.limits[2].min", [&] { this->simulation.add(slider(this->nan, this->infinity)); });
+  this->refuses("joint.limits[2].max", [&] { this->simulation.add(slider(-this->infinity, this->nan)); });
+  this->refuses("joint.limits[2].min", [&] { this->simulation.add(slider(this->nan, this->nan)); });
 }
 
 TYPED_TEST(BadInput, WhatIsGone) {

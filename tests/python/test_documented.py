@@ -29,6 +29,13 @@ def names():
                         yield pytest.param(member, id=f"{module.__name__}.{name}.{attribute}")
 
 
+def test_batches_are_modules_to_import():
+    from graze.batch import overlap
+    from graze.plane.batch import overlap as in_the_plane
+
+    assert overlap is graze.batch.overlap and in_the_plane is graze.plane.batch.overlap
+
+
 @pytest.mark.parametrize("thing", names())
 def test_it_says_what_it_is(thing):
     assert text_of(thing)

@@ -10,10 +10,14 @@ overlap. Bad values raise ValueError, which names them.
 1.5
 """
 
+import sys as _sys
+
 from . import _graze
 from ._graze import *  # noqa: F401,F403
 from ._graze import __version__, batch  # noqa: F401
 from . import plane  # noqa: F401
+
+_sys.modules[__name__ + ".batch"] = batch  # a module of its own for `import graze.batch`
 
 __all__ = [name for name in dir(_graze) if not name.startswith("_")]
 

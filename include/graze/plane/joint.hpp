@@ -32,7 +32,7 @@ Joint<T> slider_joint(BodyId a, const Pose2<T>& frame_a, BodyId b, const Pose2<T
   Joint<T> joint{
       a, b, frame_a, frame_b, {{JointSpace::linear, {false, true, false}}, {JointSpace::angular, {false, false, true}}},
       {}};
-  if (min > -std::numeric_limits<T>::infinity() || max < std::numeric_limits<T>::infinity())
+  if (!(min == -std::numeric_limits<T>::infinity() && max == std::numeric_limits<T>::infinity()))
     joint.limits.push_back({JointSpace::linear, {true, false, false}, min, max, {}, T(0)});
   return joint;
 }

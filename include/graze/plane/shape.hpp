@@ -59,7 +59,7 @@ using Shaped = Shape<double>;
 
 /// A shape in place.
 template <class T>
-struct Placed {
+struct GRAZE_API Placed {
   Shape<T> shape;   ///< the shape
   Pose2<T> pose{};  ///< pose of the shape's frame
 };

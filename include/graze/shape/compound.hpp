@@ -18,7 +18,7 @@ namespace graze {
 template <class T>
 class Shape;
 template <class T>
-struct Placed;
+struct GRAZE_API Placed;
 
 template <class T>
 struct CompoundData;

@@ -13,7 +13,7 @@
 namespace graze::plane {
 
 template <class T>
-struct Placed;
+struct GRAZE_API Placed;
 
 template <class T>
 struct CompoundData;
