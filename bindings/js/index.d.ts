@@ -1107,6 +1107,9 @@ export class Simulation extends Handle {
   add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
   remove(id: BodyId): void;
   addJoint(joint: Joint): JointId;
+  /** Replaces the frames, limits and drives of a joint of the same bodies from the next step on, as of a motor that gets
+   * another target. Its bodies wake. */
+  setJoint(id: JointId, joint: Joint): void;
   removeJoint(id: JointId): void;
   step(dt: number): void;
   applyImpulse(id: BodyId, impulse: Vec3Like, point: Vec3Like): void;
@@ -1116,6 +1119,8 @@ export class Simulation extends Handle {
   setVelocity(id: BodyId, velocity: { linear?: Vec3Like; angular?: Vec3Like }): void;
   setPose(id: BodyId, pose: PoseLike): void;
   moveTo(id: BodyId, pose: PoseLike, dt: number): void;
+  /** Replaces the filter of a body from the next step on. What it touches wakes. */
+  setFilter(id: BodyId, filter: Filter): void;
   setMaterial(id: BodyId, material: Material): void;
   /** Gives the pieces of the body's shape materials of their own from now on: `ofPiece[i]` is the place among `materials`
    * of that of piece i, a child of a compound or a triangle of a mesh or a height field (two for each cell, holes
@@ -1520,6 +1525,8 @@ export declare namespace plane {
     add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
     remove(id: BodyId): void;
     addJoint(joint: Joint): JointId;
+    /** Replaces the frames, limits and drives of a joint of the same bodies, as in space. */
+    setJoint(id: JointId, joint: Joint): void;
     removeJoint(id: JointId): void;
     step(dt: number): void;
     applyImpulse(id: BodyId, impulse: ArrayLike<number>, point: ArrayLike<number>): void;
@@ -1529,6 +1536,7 @@ export declare namespace plane {
     setVelocity(id: BodyId, velocity: { linear?: ArrayLike<number>; angular?: number }): void;
     setPose(id: BodyId, pose: PoseLike): void;
     moveTo(id: BodyId, pose: PoseLike, dt: number): void;
+    setFilter(id: BodyId, filter: Filter): void;
     setMaterial(id: BodyId, material: Material): void;
     /** Gives the pieces of the body's shape materials of their own from now on, as in space: children of a compound,
      * segments of a chain. */

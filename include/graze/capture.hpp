@@ -100,6 +100,8 @@ class GRAZE_API CapturedSimulation {
   void move_to(BodyId id, const Pose& pose, T dt);
   void set_material(BodyId id, const Material& material);
   void set_materials(BodyId id, std::span<const Material> materials, std::span<const std::uint32_t> of_piece);
+  void set_joint(JointId id, const Joint<T, Space>& joint);
+  void set_filter(BodyId id, const Filter& filter);
   void wake(BodyId id);
   void set_gravity(const Vec& gravity);
   /// Names a body for a replay, from here on (`BodyNames`). The name is written to the capture only and has no

@@ -1339,6 +1339,10 @@ GRAZE_C_API GrazeStatus graze_simulation_add_d(GrazeSimulationd *simulation, con
 GRAZE_C_API GrazeStatus graze_simulation_remove_d(GrazeSimulationd *simulation, GrazeBodyId id);
 GRAZE_C_API GrazeStatus graze_simulation_add_joint_d(GrazeSimulationd *simulation, const GrazeJointd *joint,
                                                      GrazeJointId *id);
+// Replaces the frames, limits and drives of a joint of the same bodies from the next step on, as of a motor that gets
+// another target. Its bodies wake.
+GRAZE_C_API GrazeStatus graze_simulation_set_joint_d(GrazeSimulationd *simulation, GrazeJointId id,
+                                                     const GrazeJointd *joint);
 GRAZE_C_API GrazeStatus graze_simulation_remove_joint_d(GrazeSimulationd *simulation, GrazeJointId id);
 
 // Advances the simulation by `dt` > 0.
@@ -1359,6 +1363,8 @@ GRAZE_C_API GrazeStatus graze_simulation_set_pose_d(GrazeSimulationd *simulation
 // Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
 GRAZE_C_API GrazeStatus graze_simulation_move_to_d(GrazeSimulationd *simulation, GrazeBodyId id, const GrazePosed *pose,
                                                    double dt);
+// Replaces the filter of a body from the next step on. What it touches wakes.
+GRAZE_C_API GrazeStatus graze_simulation_set_filter_d(GrazeSimulationd *simulation, GrazeBodyId id, GrazeFilter filter);
 // Replaces the material of a body, of all of its pieces, from now on.
 GRAZE_C_API GrazeStatus graze_simulation_set_material_d(GrazeSimulationd *simulation, GrazeBodyId id,
                                                         const GrazeMateriald *material);
@@ -2043,6 +2049,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_add_d(GrazePlaneSimulationd *simu
 GRAZE_C_API GrazeStatus graze_plane_simulation_remove_d(GrazePlaneSimulationd *simulation, GrazeBodyId id);
 GRAZE_C_API GrazeStatus graze_plane_simulation_add_joint_d(GrazePlaneSimulationd *simulation,
                                                            const GrazePlaneJointd *joint, GrazeJointId *id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_joint_d(GrazePlaneSimulationd *simulation, GrazeJointId id,
+                                                           const GrazePlaneJointd *joint);
 GRAZE_C_API GrazeStatus graze_plane_simulation_remove_joint_d(GrazePlaneSimulationd *simulation, GrazeJointId id);
 
 // Advances the simulation by `dt` > 0.
@@ -2064,6 +2072,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_set_pose_d(GrazePlaneSimulationd 
 // Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
 GRAZE_C_API GrazeStatus graze_plane_simulation_move_to_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                          const GrazePose2d *pose, double dt);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_filter_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                            GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                               const GrazePlaneMateriald *material);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_materials_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
@@ -2884,6 +2894,8 @@ GRAZE_C_API GrazeStatus graze_simulation_add_f(GrazeSimulationf *simulation, con
 GRAZE_C_API GrazeStatus graze_simulation_remove_f(GrazeSimulationf *simulation, GrazeBodyId id);
 GRAZE_C_API GrazeStatus graze_simulation_add_joint_f(GrazeSimulationf *simulation, const GrazeJointf *joint,
                                                      GrazeJointId *id);
+GRAZE_C_API GrazeStatus graze_simulation_set_joint_f(GrazeSimulationf *simulation, GrazeJointId id,
+                                                     const GrazeJointf *joint);
 GRAZE_C_API GrazeStatus graze_simulation_remove_joint_f(GrazeSimulationf *simulation, GrazeJointId id);
 
 GRAZE_C_API GrazeStatus graze_simulation_step_f(GrazeSimulationf *simulation, float dt);
@@ -2901,6 +2913,7 @@ GRAZE_C_API GrazeStatus graze_simulation_set_pose_f(GrazeSimulationf *simulation
                                                     const GrazePosef *pose);
 GRAZE_C_API GrazeStatus graze_simulation_move_to_f(GrazeSimulationf *simulation, GrazeBodyId id, const GrazePosef *pose,
                                                    float dt);
+GRAZE_C_API GrazeStatus graze_simulation_set_filter_f(GrazeSimulationf *simulation, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_simulation_set_material_f(GrazeSimulationf *simulation, GrazeBodyId id,
                                                         const GrazeMaterialf *material);
 GRAZE_C_API GrazeStatus graze_simulation_set_materials_f(GrazeSimulationf *simulation, GrazeBodyId id,
@@ -3484,6 +3497,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_add_f(GrazePlaneSimulationf *simu
 GRAZE_C_API GrazeStatus graze_plane_simulation_remove_f(GrazePlaneSimulationf *simulation, GrazeBodyId id);
 GRAZE_C_API GrazeStatus graze_plane_simulation_add_joint_f(GrazePlaneSimulationf *simulation,
                                                            const GrazePlaneJointf *joint, GrazeJointId *id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_joint_f(GrazePlaneSimulationf *simulation, GrazeJointId id,
+                                                           const GrazePlaneJointf *joint);
 GRAZE_C_API GrazeStatus graze_plane_simulation_remove_joint_f(GrazePlaneSimulationf *simulation, GrazeJointId id);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_step_f(GrazePlaneSimulationf *simulation, float dt);
@@ -3502,6 +3517,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_set_pose_f(GrazePlaneSimulationf 
                                                           const GrazePose2f *pose);
 GRAZE_C_API GrazeStatus graze_plane_simulation_move_to_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
                                                          const GrazePose2f *pose, float dt);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_filter_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                            GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
                                                               const GrazePlaneMaterialf *material);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_materials_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,

@@ -63,11 +63,11 @@ template <class T, class Space>
 struct SimulationParts;
 
 template <class T, class Space>
-class State;
+class GRAZE_API State;
 template <class T, class Space>
-std::string state_bytes(const State<T, Space>& state);
+GRAZE_API std::string state_bytes(const State<T, Space>& state);
 template <class T, class Space>
-State<T, Space> read_state(std::string_view bytes);
+GRAZE_API State<T, Space> read_state(std::string_view bytes);
 
 /// A saved state, for `restore`: a value that may be kept, copied and thrown away, and outlives its simulation. With
 /// `graze/state_bytes.hpp` it goes into a file and back.
@@ -117,6 +117,9 @@ class GRAZE_API Simulation {
   /// Adds a joint. Throws `InvalidValue` for bodies that are gone or the same, frames that are not finite, and invalid
   /// limits and drives.
   JointId add(const Joint<T, Space>& joint);
+  /// Replaces the frames, limits and drives of a joint from the next step on, as of a motor that gets another target.
+  /// Its bodies wake. Throws `InvalidValue` as `add` does, and for a joint of other bodies.
+  void set_joint(JointId id, const Joint<T, Space>& joint);
   /// Removes a body and its joints. Bodies that stood on it or were joined to it wake.
   void remove(BodyId id);
   void remove(JointId id);  ///< removes a joint; its bodies wake
@@ -148,6 +151,8 @@ class GRAZE_API Simulation {
   /// another shape, for lists of other lengths, and for invalid materials. Costs a search of the shape's pieces in each
   /// step for each of its points of contact.
   void set_materials(BodyId id, std::span<const Material> materials, std::span<const std::uint32_t> of_piece);
+  /// Replaces the filter of a body from the next step on. What it touches wakes.
+  void set_filter(BodyId id, const Filter& filter);
   void wake(BodyId id);  ///< wakes the body and what touches it
 
   /// The poses of all bodies, by index. Indices that are not alive are as in `World::bodies`.
@@ -159,7 +164,7 @@ class GRAZE_API Simulation {
   bool asleep(BodyId id) const;                    ///< whether it is at rest and not moved until something wakes it
   int sub_steps(BodyId id) const;                  ///< sub-steps of its island in the last step; 0 before its first
   std::vector<JointId> joints() const;             ///< all joints, by index
-  const Joint<T, Space>& joint(JointId id) const;  ///< a joint as it was added
+  const Joint<T, Space>& joint(JointId id) const;  ///< a joint as it was added or set last
   std::span<const T> joint_impulses(JointId id) const;  ///< impulses of the last step, a number for each row of the
                                                         ///< joint
 
@@ -178,8 +183,9 @@ class GRAZE_API Simulation {
   State<T, Space> save() const;  ///< all that `restore` needs
   /// Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and
   /// removed in the same order: the steps after it have the same bits. Throws `InvalidValue` where there are other
-  /// bodies or joints now: of another handle, kind of shape, size or mass, joined otherwise. Costs an update of the
-  /// world. The events of the steps after it are those of the saved run.
+  /// bodies or joints now: of another handle, kind of shape, size or mass, or joints of other bodies. Costs an update of the
+  /// world. Joints get the frames, limits and drives that they had, bodies keep their filters. The events of the
+  /// steps after it are those of the saved run.
   void restore(const State<T, Space>& state);
 
  private:

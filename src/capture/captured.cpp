@@ -106,6 +106,16 @@ JointId CapturedSimulation<T, Space>::add(const Joint<T, Space>& joint) {
   return id;
 }
 template <class T, class Space>
+void CapturedSimulation<T, Space>::set_joint(JointId id, const Joint<T, Space>& joint) {
+  simulation_.set_joint(id, joint);
+  if (writer_) writer_->call(Call::set_joint, id, joint);
+}
+template <class T, class Space>
+void CapturedSimulation<T, Space>::set_filter(BodyId id, const Filter& filter) {
+  simulation_.set_filter(id, filter);
+  if (writer_) writer_->call(Call::set_filter, id, filter);
+}
+template <class T, class Space>
 void CapturedSimulation<T, Space>::remove(BodyId id) {
   simulation_.remove(id);
   if (writer_) writer_->call(Call::remove_body, id);

@@ -53,7 +53,8 @@ const char* name_of(Call call) {
                                                         "update",
                                                         "find_impacts",
                                                         "set_name",
-                                                        "set_materials"};
+                                                        "set_materials",
+                                                        "set_joint"};
   return names[static_cast<std::size_t>(call)];
 }
 

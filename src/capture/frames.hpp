@@ -13,9 +13,9 @@
 namespace graze::capture {
 
 /// The version of the format. A reader takes its own version and those before it from the oldest on: 3 has names of
-/// bodies, which 2 has not, 4 has materials of pieces, which 3 has not, and 5 has whether a simulation is warm started,
-/// which 4 has not; they are the same otherwise.
-inline constexpr std::uint16_t version = 5, oldest_version = 2, warm_start_version = 5;
+/// bodies, which 2 has not, 4 has materials of pieces, which 3 has not, 5 has whether a simulation is warm started,
+/// which 4 has not, and 6 has joints and filters of simulations that are set; they are the same otherwise.
+inline constexpr std::uint16_t version = 6, oldest_version = 2, warm_start_version = 5;
 
 enum class Kind : std::uint8_t { world, simulation, plane_world, plane_simulation };
 
@@ -59,10 +59,11 @@ enum class Call : std::uint8_t {
   // Calls of either.
   set_name,  ///< since version 3
   // Calls of simulations, in later versions.
-  set_materials  ///< since version 4
+  set_materials,  ///< since version 4
+  set_joint       ///< since version 6, as `set_filter` of a simulation
 };
 /// The number of different calls in a version of the format.
-constexpr std::size_t call_count(std::uint16_t of = version) { return of == 2 ? 25 : of == 3 ? 26 : 27; }
+constexpr std::size_t call_count(std::uint16_t of = version) { return of == 2 ? 25 : of == 3 ? 26 : of <= 5 ? 27 : 28; }
 /// The name of the method: "add", "step".
 const char* name_of(Call call);
 

@@ -157,6 +157,14 @@ void make(Call call, Player<T, Space>& from, Simulation<T, Space>& s, CapturedSt
     const auto pieces = from.template read<PieceMaterials<T, Space>>();
     return s.set_materials(body, pieces.materials, pieces.of_piece);
   }
+  case Call::set_joint: {
+    const auto joint = from.template read<JointId>();
+    return s.set_joint(joint, from.template read<Joint<T, Space>>());
+  }
+  case Call::set_filter: {
+    const BodyId body = id();
+    return s.set_filter(body, from.template read<Filter>());
+  }
   case Call::wake: return s.wake(id());
   case Call::set_gravity: return s.set_gravity(vec());
   case Call::save: return states.save(from.template read<std::uint8_t>(), s);

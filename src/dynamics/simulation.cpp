@@ -114,6 +114,11 @@ void SimulationParts<T, Space>::move_world() {
 
 template <class T, class Space>
 void SimulationParts<T, Space>::mute() {
+  muted.clear();
+  for (const JointPlace<T, Space>& joint : joints) {
+    if (!joint.alive || joint.in_place.joint.enable_collision) continue;
+    muted.push_back({std::min(joint.in_place.a, joint.in_place.b), std::max(joint.in_place.a, joint.in_place.b)});
+  }
   std::sort(muted.begin(), muted.end());
   if (muted.empty() && drifting == 0) return world.set_allow({});
   world.set_allow([this](BodyId a, BodyId b) {
@@ -164,12 +169,26 @@ BodyId Simulation<T, Space>::add(Body<T, Space> body, const Dynamics& dynamics, 
   return id;
 }
 
+namespace {
+
+/// The joint of two bodies where it acts: between the frames of their principal axes. Throws for an invalid one.
 template <class T, class Space>
-JointId Simulation<T, Space>::add(const Joint<T, Space>& joint) {
-  SimulationParts<T, Space>& p = *parts_;
+JointInPlace<T, Space> in_place(const SimulationParts<T, Space>& p, const Joint<T, Space>& joint) {
   const std::uint32_t a = p.checked(joint.a), b = p.checked(joint.b);
   if (a == b) validate::fail("b", "another body than a", std::to_string(b));
   check(joint);
+  const auto in_principal = [&](std::uint32_t body, const typename Space::Pose& frame) {
+    return compose(inverse(p.bodies[body].mass.principal), Space::checked(frame));
+  };
+  return {joint, a, b, in_principal(a, joint.frame_a), in_principal(b, joint.frame_b), {}, T(0)};
+}
+
+}  // namespace
+
+template <class T, class Space>
+JointId Simulation<T, Space>::add(const Joint<T, Space>& joint) {
+  SimulationParts<T, Space>& p = *parts_;
+  JointInPlace<T, Space> there = in_place(p, joint);
   std::uint32_t index{};
   if (p.free_joints.empty()) {
     index = static_cast<std::uint32_t>(p.joints.size());
@@ -180,17 +199,31 @@ JointId Simulation<T, Space>::add(const Joint<T, Space>& joint) {
   }
   JointPlace<T, Space>& place = p.joints[index];
   place.alive = true;
-  const auto in_principal = [&](std::uint32_t body, const typename Space::Pose& frame) {
-    return compose(inverse(p.bodies[body].mass.principal), Space::checked(frame));
-  };
-  place.in_place = {joint, a, b, in_principal(a, joint.frame_a), in_principal(b, joint.frame_b), {}, T(0)};
-  p.wake(a);
-  p.wake(b);
-  if (!joint.enable_collision) {
-    p.muted.push_back({std::min(a, b), std::max(a, b)});
-    p.mute();
-  }
+  place.in_place = std::move(there);
+  p.wake(place.in_place.a);
+  p.wake(place.in_place.b);
+  if (!joint.enable_collision) p.mute();
   return {index, place.generation};
+}
+
+template <class T, class Space>
+void Simulation<T, Space>::set_joint(JointId id, const Joint<T, Space>& joint) {
+  SimulationParts<T, Space>& p = *parts_;
+  JointInPlace<T, Space>& place = p.joints[p.checked(id)].in_place;
+  JointInPlace<T, Space> there = in_place(p, joint);
+  for (const auto& [is, was, path] : {std::tuple(there.a, place.a, "a"), std::tuple(there.b, place.b, "b")})
+    if (is != was) validate::fail(path, "body " + std::to_string(was) + ", which the joint has", std::to_string(is));
+  p.wake(place.a);
+  p.wake(place.b);
+  // Rows of the same limits go on from the impulses of the last step.
+  if (there.joint.limits.size() == place.joint.limits.size() &&
+      there.joint.drives.size() == place.joint.drives.size()) {
+    there.impulses = place.impulses;
+    there.impulse_step = place.impulse_step;
+  }
+  const bool collided = place.joint.enable_collision;
+  place = std::move(there);
+  if (collided != joint.enable_collision) p.mute();
 }
 
 template <class T, class Space>
@@ -200,15 +233,12 @@ void Simulation<T, Space>::remove(JointId id) {
   const std::uint32_t a = place.in_place.a, b = place.in_place.b;
   p.wake(a);
   p.wake(b);
-  if (!place.in_place.joint.enable_collision) {
-    const IdPair pair{std::min(a, b), std::max(a, b)};
-    p.muted.erase(std::lower_bound(p.muted.begin(), p.muted.end(), pair));
-    p.mute();
-  }
+  const bool collided = place.in_place.joint.enable_collision;
   place.alive = false;
   ++place.generation;
   place.in_place = {};
   p.free_joints.push_back(id.index);
+  if (!collided) p.mute();
 }
 
 template <class T, class Space>
@@ -348,6 +378,11 @@ void Simulation<T, Space>::set_material(BodyId id, const MaterialIn<T, Space>& m
   parts_->bodies[index].material = material;
   parts_->bodies[index].pieces = nullptr;
   parts_->wake_around(index);
+}
+template <class T, class Space>
+void Simulation<T, Space>::set_filter(BodyId id, const Filter& filter) {
+  parts_->wake_around(parts_->checked(id));
+  parts_->world.set_filter(id, filter);
 }
 template <class T, class Space>
 void Simulation<T, Space>::wake(BodyId id) {

@@ -64,13 +64,13 @@ bool alike(const SimulatedBody<T, Space>& a, const SimulatedBody<T, Space>& b) {
          a.may_sleep == b.may_sleep;
 }
 
+/// Whether there are the same joints of the same bodies, whatever their frames, limits and drives.
 template <class T, class Space>
 bool same_joints(const std::vector<JointPlace<T, Space>>& a, const std::vector<JointPlace<T, Space>>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const JointInPlace<T, Space>&in_a = a[i].in_place, &in_b = b[i].in_place;
-    if (a[i].alive != b[i].alive || a[i].generation != b[i].generation || in_a.a != in_b.a || in_a.b != in_b.b ||
-        !(in_a.frame_a == in_b.frame_a) || !(in_a.frame_b == in_b.frame_b) || !(in_a.joint == in_b.joint))
+    if (a[i].alive != b[i].alive || a[i].generation != b[i].generation || in_a.a != in_b.a || in_a.b != in_b.b)
       return false;
   }
   return true;
@@ -135,6 +135,26 @@ void add_bits(BitHash& hash, const Material<T, Vec>& material) {
   hash.add(material.surface_velocity);
 }
 
+template <class T, class Space>
+void add_bits(BitHash& hash, const Joint<T, Space>& joint) {
+  hash.add(joint.frame_a);
+  hash.add(joint.frame_b);
+  hash.add(joint.enable_collision);
+  for (const JointLimit<T>& limit : joint.limits) {
+    hash.add(limit.space);
+    hash.add(limit.axes);
+    for (const T value : {limit.min, limit.max, limit.stiffness.value_or(T(-1)), limit.damping}) hash.add(value);
+  }
+  for (const JointDrive<T>& drive : joint.drives) {
+    hash.add(drive.space);
+    hash.add(drive.mode);
+    hash.add(drive.axis);
+    for (const T value :
+         {drive.position_target, drive.velocity_target, drive.stiffness, drive.damping, drive.max_force})
+      hash.add(value);
+  }
+}
+
 }  // namespace
 
 template <class T, class Space>
@@ -193,6 +213,7 @@ void Simulation<T, Space>::restore(const State<T, Space>& state) {
   put(kept.poses);
   p.bodies = kept.bodies;
   p.joints = kept.joints;
+  p.mute();
   p.found_at = kept.found_at;
   p.rolling.set_kept(kept.rolling);
   p.settings = kept.settings;
@@ -242,6 +263,7 @@ std::uint64_t Simulation<T, Space>::state_hash() const {
     hash.add(rolling.impulse);
   }
   for (const JointId id : joints()) {
+    add_bits(hash, joint(id));
     for (const T impulse : joint_impulses(id)) hash.add(impulse);
     hash.add(p.joints[id.index].in_place.impulse_step);
   }

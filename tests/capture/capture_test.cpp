@@ -100,7 +100,12 @@ std::string random_simulation(unsigned seed, int frames) {
     case 4: s.set_velocity(body(), {draw.vector<T>(3), draw.vector<T>(3)}); break;
     case 5: s.set_pose(body(), draw.pose<T>(3)); break;
     case 6: s.set_material(body(), {}); break;
-    case 7: s.wake(body()); break;
+    case 7:
+      if (draw.below(2) == 0)
+        s.wake(body());
+      else
+        s.set_filter(body(), {.category = 1, .mask = draw.below(2) == 0 ? 0u : ~0u});
+      break;
     case 8: s.set_gravity(draw.vector<T>(9)); break;
     case 9:
       if (bodies.size() > 2) {
@@ -114,6 +119,8 @@ std::string random_simulation(unsigned seed, int frames) {
       Joint<T> joint = distance_joint<T>(a, {}, b, {}, T(0.5), T(3));
       joint.drives.push_back({JointSpace::angular, DriveMode::acceleration, 1, T(0), T(1), T(0), T(2)});
       joints.push_back(s.add(joint));
+      joint.drives[0].velocity_target = T(-2);
+      if (draw.below(2) == 0) s.set_joint(joints.back(), joint);
       break;
     }
     default:
@@ -300,14 +307,14 @@ std::string without_warm_start(std::string file) {
 /// A capture as an earlier version wrote it: without the calls that came later it is the same but for its number and,
 /// of a simulation, the last setting.
 std::string of_version(char version, std::string file) {
-  EXPECT_EQ(file[16], 5);
+  EXPECT_EQ(file[16], 6);
   const bool simulation = file[18] % 2 == 1;
   file[16] = version;
   return version < 5 && simulation ? without_warm_start(file) : file;
 }
 
 TEST(Capture, VersionsBeforeAreRead) {
-  for (const char version : {'\2', '\3', '\4'}) {
+  for (const char version : {'\2', '\3', '\4', '\5'}) {
     const ReplayReport report = replayed(of_version(version, random_simulation<float>(2, 10)));
     EXPECT_EQ(report.frames, 10u);
     EXPECT_FALSE(report.difference);

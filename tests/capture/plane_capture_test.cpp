@@ -86,6 +86,7 @@ std::string random_plane_simulation(unsigned seed) {
     }
     if (frame == 10) joint = s.add(distance_joint<T>(bodies[0], Pose2<T>{}, bodies[1], Pose2<T>{}, T(0.5), T(3)));
     if (frame == 11) s.save(0);
+    if (frame == 12) s.set_joint(joint, distance_joint<T>(bodies[0], Pose2<T>{}, bodies[1], Pose2<T>{}, T(0.4), T(2)));
     if (frame > 11 && frame < 30 && draw.below(3) == 0) s.save(static_cast<std::size_t>(draw.below(3)));
     if (frame > 11 && frame < 30 && draw.below(3) == 0) s.restore(0);
     if (frame == 30) s.remove(joint);
@@ -98,7 +99,12 @@ std::string random_plane_simulation(unsigned seed) {
     case 4: s.set_velocity(body(), {draw.vector(3), draw(-3, 3)}); break;
     case 5: s.set_pose(body(), draw.pose(3)); break;
     case 6: s.set_material(body(), {}); break;
-    case 7: s.wake(body()); break;
+    case 7:
+      if (draw.below(2) == 0)
+        s.wake(body());
+      else
+        s.set_filter(body(), {.category = 1, .mask = draw.below(2) == 0 ? 0u : ~0u});
+      break;
     default: s.set_gravity(draw.vector(9));
     }
     s.step(T(1) / T(60));

@@ -120,10 +120,10 @@ TYPED_TEST(SimulationBits, WhatARemovedBodyTouchedEndsAfterRestore) {
 /// A simulation of the same bodies and joints goes on from a state, though the one that saved it is gone.
 TYPED_TEST(SimulationBits, SameInATwin) {
   using T = TypeParam;
-  const auto build = [](Simulation<T>& s, T gap, T size, T play = T(0)) {
+  const auto build = [](Simulation<T>& s, T gap, T size, std::uint32_t to = 39) {
     add_heap(s, 6, 40, size);
-    const BodyId top = s.world().bodies().id(40), next = s.world().bodies().id(39);
-    s.add(distance_joint<T>(top, {{T(0), gap, T(0)}, {}}, next, {}, T(0), play));
+    const BodyId top = s.world().bodies().id(40), next = s.world().bodies().id(to);
+    s.add(distance_joint<T>(top, {{T(0), gap, T(0)}, {}}, next, {}, T(0), T(0)));
   };
   State<T> state;
   std::vector<Pose<T>> once;
@@ -140,14 +140,16 @@ TYPED_TEST(SimulationBits, SameInATwin) {
   twin.restore(state);
   EXPECT_EQ(poses_after(twin, 60), once);
 
+  // The state has the frames and limits of joints, as they may be set while a simulation runs, but not their bodies.
+  Simulation<T> joined_longer(settings<T>(T(10), true));
+  build(joined_longer, T(1.5), T(1));
+  joined_longer.restore(state);
+  EXPECT_EQ(poses_after(joined_longer, 60), once);
   Simulation<T> joined_otherwise(settings<T>(T(10), true));
-  build(joined_otherwise, T(1.5), T(1));
+  build(joined_otherwise, T(1), T(1), 38);
   const std::uint64_t before = joined_otherwise.state_hash();
   EXPECT_THROW(joined_otherwise.restore(state), InvalidValue);
   EXPECT_EQ(joined_otherwise.state_hash(), before);
-  Simulation<T> joined_looser(settings<T>(T(10), true));
-  build(joined_looser, T(1), T(1), T(0.25));
-  EXPECT_THROW(joined_looser.restore(state), InvalidValue);
   Simulation<T> of_other_sizes(settings<T>(T(10), true));
   build(of_other_sizes, T(1), T(2));
   EXPECT_THROW(of_other_sizes.restore(state), InvalidValue);

@@ -1239,7 +1239,14 @@ export const checks = [
       equal(known.limits.map(({ space, axes, min, max }) => [space, axes.join(""), min, max]),
             [["linear", "xyz", 0, 0], ["angular", "yz", 0, 0]], "the limits of a hinge");
       equal(known.drives.map(({ axis, mode, velocityTarget }) => [axis, mode, velocityTarget]), [["x", "force", 1]], "drive");
-      simulation.removeJoint(simulation.addJoint(known));
+      const again = simulation.addJoint(known);
+      simulation.setJoint(again, { ...known, limits: [] });
+      equal(simulation.joint(again).limits.length, 0, "a joint that was set");
+      throws(() => simulation.setJoint(again, { ...known, b: known.a }), /another body than a/, entry.InvalidValue);
+      simulation.removeJoint(again);
+      simulation.setFilter(crate, { category: 1n, mask: 0n });
+      equal(simulation.world.body(crate).filter.mask, 0n, "a filter that was set");
+      simulation.setFilter(crate, {});
       ok(simulation.subSteps(crate) >= 4, "sub-steps");
       const [here, hash] = [simulation.save(), simulation.stateHash()];
       simulation.step(1 / 60);

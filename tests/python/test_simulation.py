@@ -119,3 +119,22 @@ def test_an_inertia_may_be_a_matrix():
     ]:
         with pytest.raises((ValueError, TypeError), match=message):
             simulation.add(hull, mass=1, inertia=wrong)
+
+
+def test_a_motor_gets_another_target():
+    s = graze.Simulation(gravity=(0, 0, 0))
+    post = s.add(graze.Box((1, 1, 1)), (-2, 0, 0), fixed=True)
+    wheel = s.add(graze.Cylinder(0.2, 0.5))
+
+    def drives(speed):
+        return [graze.JointDrive("angular", "x", velocity_target=speed, damping=50, acceleration=True)]
+
+    limits = [graze.JointLimit("linear", "xyz"), graze.JointLimit("angular", "yz")]
+    hinge = s.join(post, (2, 0, 0), wheel, None, limits=limits, drives=drives(1))
+    for target in (1, -2):
+        s.set_joint(hinge, drives=drives(target))
+        for _ in range(60):
+            s.step(1 / 60)
+        assert s.velocity(wheel)[1][0] == pytest.approx(target, abs=1e-3)
+    assert len(s.joint(hinge)["limits"]) == 2
+    s.set_filter(wheel, graze.Filter(category=2, mask=2))

@@ -195,6 +195,12 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     addJoint(joint) {
       return core.frame(() => answered(layout.id, (p) => call("add_joint", changed(this), jointAt(joint), p)));
     }
+    setJoint(id, joint) {
+      core.frame(() => call("set_joint", changed(this), idAt(id, "joint"), jointAt(joint)));
+    }
+    setFilter(id, filter) {
+      core.frame(() => call("set_filter", changed(this), idAt(id, "body"), worlds.filterAt(filter)));
+    }
     removeJoint(id) {
       core.frame(() => call("remove_joint", changed(this), idAt(id, "joint")));
     }

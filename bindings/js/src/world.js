@@ -27,6 +27,11 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     layout.filter.write(place, {
       category: filter.category ?? 1n, mask: filter.mask ?? 0xffffffffffffffffn, group: filter.group ?? 0 }, path);
   };
+  const filterAt = (filter) => {
+    const p = core.room(layout.filter.size);
+    writeFilter(p, membersOf(filter, "filter", filterMembers), "filter");
+    return p;
+  };
   const bodyAt = (body = {}) => {
     const p = core.room(types.body.size);
     const at = pose(body, "body", bodyMembers);
@@ -248,11 +253,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       core.frame(() => call("set_shape", changed(this), idAt(id, "body"), of(shape)));
     }
     setFilter(id, filter) {
-      core.frame(() => {
-        const p = core.room(layout.filter.size);
-        writeFilter(p, membersOf(filter, "filter", filterMembers), "filter");
-        call("set_filter", changed(this), idAt(id, "body"), p);
-      });
+      core.frame(() => call("set_filter", changed(this), idAt(id, "body"), filterAt(filter)));
     }
     setFast(id, fast) {
       core.frame(() => call("set_fast", changed(this), idAt(id, "body"), fast ? 1 : 0));
@@ -272,5 +273,5 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   }
   const changed = (world) => Handle.changed(world, "world", World);
 
-  return { World, idAt, bodyAt, velocityAt, questionable, pointerOf };
+  return { World, idAt, bodyAt, filterAt, velocityAt, questionable, pointerOf };
 }

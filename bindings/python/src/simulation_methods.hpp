@@ -335,6 +335,10 @@ and a body with mass whose shape has no end.)")
             "set_material", [](Own& s, BodyId id, const Material& material) { s.change()->set_material(id, material); },
             py::arg("body"), py::arg("material"), "Another material for a body, of all of its pieces.")
         .def(
+            "set_filter", [](Own& s, BodyId id, const Filter& filter) { s.change()->set_filter(id, filter); },
+            py::arg("body"), py::arg("filter"),
+            "Another filter for a body, from the next step on. What it touches wakes.")
+        .def(
             "set_materials",
             [](Own& s, BodyId id, const std::vector<Material>& materials, const std::vector<Whole>& of_piece) {
               std::vector<std::uint32_t> places;
@@ -445,7 +449,25 @@ and a place that is none.)");
             "joints", [](const Own& s) { return s.read()->joints(); }, "The JointIds of all joints, by index.")
         .def(
             "joint", [](const Own& s, JointId id) { return object_of(s.read()->joint(id)); }, py::arg("joint"),
-            "A joint as it was added: a dictionary of the arguments of `join`.")
+            "A joint as it was added or set last: a dictionary of the arguments of `join`.")
+        .def(
+            "set_joint",
+            [](Own& s, JointId id, const std::optional<Placement>& f, const std::optional<Placement>& g,
+               const std::optional<std::vector<JointLimit<double>>>& limits,
+               const std::optional<std::vector<JointDrive<double>>>& drives, std::optional<bool> enable_collision) {
+              Joint joint = s.read()->joint(id);
+              if (f) joint.frame_a = f->value;
+              if (g) joint.frame_b = g->value;
+              if (limits) joint.limits = *limits;
+              if (drives) joint.drives = *drives;
+              joint.enable_collision = enable_collision.value_or(joint.enable_collision);
+              s.change()->set_joint(id, joint);
+            },
+            py::arg("joint"), py::kw_only(), py::arg("frame_a") = py::none(), py::arg("frame_b") = py::none(),
+            py::arg("limits") = py::none(), py::arg("drives") = py::none(), py::arg("enable_collision") = py::none(),
+            "Changes what is given of a joint from the next step on, as the drives of a motor that gets another "
+            "target. "
+            "Its bodies wake.")
         .def(
             "joint_impulses",
             [](const Own& s, JointId id) {
