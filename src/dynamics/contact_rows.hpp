@@ -22,6 +22,7 @@ struct Touching {
   typename Space::Vec belt{};  ///< velocity of B's surface over A's while both bodies rest, in world space
   S size{};                    ///< the smaller of the two bodies
   typename Space::Vec rolled_a{}, rolled_b{};  ///< of arms, to the middle of the step
+  S round_a{}, round_b{};                      ///< radii of the balls that the surfaces are at the contact
 };
 
 /// A point of contact as it was found.
@@ -197,9 +198,11 @@ S ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactStep<T
   const S most = fastest_push(step, size);
   // The motion of a point's two material points against each other along the normal since it was found: in place of
   // both arms the normal is turned, which all points share.
-  const S moved = dot(bodies.place_b.moved - bodies.place_a.moved, normal);
   const Vec turned_a = turned_back_by(bodies.place_a.turned, normal);
   const Vec turned_b = turned_back_by(bodies.place_b.turned, normal);
+  // A ball's surface stays where it is as the ball turns about its middle, while the point of it that was found rises.
+  const S moved = dot(bodies.place_b.moved - bodies.place_a.moved, normal) +
+                  (touching.round_a * dot(normal, turned_a) + touching.round_b * dot(normal, turned_b));
   const Mask bounces = touching.material.restitution > zero;
   // Rows push the centres along the normal alone: their parting is one number until all have pushed.
   const S yields_to_push = mass_a.mass + mass_b.mass;

@@ -150,6 +150,7 @@ template <class Space>
 struct HeldBody {
   bool joined{}, pushed{};           ///< by a hard joint; by contacts or joints, in this step
   bool touched{};                    ///< what holds it back, when the step began
+  bool bounces{};                    ///< off that
   typename Space::Vec carried_by{};  ///< how far from its own way, by what it met and goes on
 };
 
@@ -158,6 +159,10 @@ struct HeldBody {
 /// of its spin is taken, as by the blows that a shorter step would show.
 template <class T>
 constexpr T followed_turn = T(1);
+/// The same for a body that does not bounce, whose spin is no blow's: of 16,500 bodies, round, flat and long, that are
+/// thrown down at 20 to 60 m/s, 25 came out below without this.
+template <class T>
+constexpr T followed_turn_at_rest = T(0.5);
 
 /// The turning of a body before it was set back: what flew freely keeps its angular momentum, what was pushed its
 /// angular velocity, which holds for its contacts.
@@ -198,10 +203,13 @@ void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typen
   body.free.linear = keeping_energy<T>(body.free.linear, acceleration, held.carried_by);
   const bool in_touch = (held.pushed || held.touched) && !held.joined;
   turn_on<T, Space>(body.free, turning, !held.pushed && !held.joined,
-                    in_touch ? followed_turn<T> / dt : std::numeric_limits<T>::infinity());
+                    !in_touch      ? std::numeric_limits<T>::infinity()
+                    : held.bounces ? followed_turn<T> / dt
+                                   : followed_turn_at_rest<T> / dt);
 }
 
-/// The bodies that may have passed through something in this step, kinematic ones among them. What has no bounds, a
+/// The bodies that may have passed through something in this step, kinematic ones among them: by the way that they have
+/// moved, which is long of what a contact stopped at the end of it, or by their velocity. What has no bounds, a
 /// half-space that moves, has no other side to come out on.
 template <class T, class Space>
 std::vector<std::uint32_t> fast_bodies(const SimulationParts<T, Space>& parts, T dt) {
@@ -212,7 +220,10 @@ std::vector<std::uint32_t> fast_bodies(const SimulationParts<T, Space>& parts, T
     if (alive[i] == 0 || !body.moves || body.asleep) continue;
     if (!(body.radius <= largest_magnitude<T>)) continue;
     const MotionIn<Space> m = parts.motion(i);
-    const T way = (length(m.linear) + length(m.angular) * body.radius) * dt;
+    const FreeBodyIn<Space>& from = parts.before[i];
+    const T moved = greatest(length(m.linear) * dt, length(body.free.center - from.center));
+    const T turned = dt * greatest(length(m.angular), length(turning_between(from.rotation, body.free.rotation, dt)));
+    const T way = moved + turned * body.radius;
     if (way > unasked_motion<T> * body.depth) fast.push_back(i);
   }
   return fast;
@@ -380,9 +391,10 @@ struct Rounds {
     const T part = stop / dt;
     at[i] = pose_at(parts.found_at[i], mean[i], stop);
     at[i].translation += carried;
-    const bool touched = met<T, Space>(parts.world.contacts(), i, other) != nullptr;
+    const ContactPair<T>* const pair = met<T, Space>(parts.world.contacts(), i, other);
+    const bool bounces = held[i].bounces || (pair && parts.may_bounce(*pair));
     anew.push_back(i);
-    held[i] = {joined, pushed[i] != 0, held[i].touched || touched, held[i].carried_by * part + carried};
+    held[i] = {joined, pushed[i] != 0, held[i].touched || pair, bounces, held[i].carried_by * part + carried};
     ends[i] = ends[i] < dt ? ends[i] * part : stop;
     mean[i] = {mean[i].linear * part + carried / dt, mean[i].angular * part};
     parts.world.move(parts.world.bodies().id(i), parts.found_at[i], mean[i].linear, mean[i].angular);

@@ -62,6 +62,18 @@ auto at_limit(const S& held, const S& pressed, const ContactMaterial<S>& materia
                                 ((held >= motion - motion * rounding) & (held <= motion + motion * rounding)));
 }
 
+/// The part of what friction can hold that is left for one of two motions of a surface, sliding and twisting, of which
+/// each has a speed beyond that of surfaces at rest. Friction acts against the velocity of each place, so that what
+/// slides fast hardly resists a slow twist, and the other way round: the limit surface as an ellipsoid (Howe, Cutkosky
+/// 1996, "Practical force-motion models for sliding manipulation", section 3).
+template <class S>
+S left_for(const S& speed, const S& other, const S& at_rest) {
+  using std::sqrt;
+  using T = typename LaneOf<S>::type;
+  const S beyond = greatest(S(T(0)), other - at_rest), both = sqrt(speed * speed + beyond * beyond);
+  return select(beyond > S(T(0)), speed / select(both > S(T(0)), both, S(T(1))), S(T(1)));
+}
+
 /// The part of the speed that gravity gives in a step up to which surfaces stick whatever their friction was. Measured:
 /// a resting cube that is pushed by 0.99 of what static friction holds rocks, and creeps by more than 0.02 of it
 /// meanwhile.
@@ -162,9 +174,14 @@ class FrictionRows<S, Space<S>> {
       pressed += r.impulse;
       lever += r.impulse * r.distance;
     }
-    solve_twist(normal, material.dynamic_friction * lever, active, bodies);
+    using std::sqrt, std::abs;
+    const S su = slip_along(u_, belt_u_, shifts, bodies.a, bodies.b);
+    const S sv = slip_along(cross(normal, u_), belt_v_, shifts, bodies.a, bodies.b);
+    const S slip = sqrt(su * su + sv * sv), mean_lever = lever * inverse_or_zero(pressed);
+    const S turning = abs(dot(bodies.b.angular - bodies.a.angular, normal)) * mean_lever;
+    solve_twist(normal, material.dynamic_friction * lever * left_for(turning, slip, slow), active, bodies);
     if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, a, b, bodies);
-    return solve_sliding(normal, a, b, pressed, material, slow, active, shifts, bodies);
+    return solve_sliding(normal, a, b, pressed * left_for(slip, turning, slow), material, slow, active, shifts, bodies);
   }
 
   /// The impulse across the normal.

@@ -2,43 +2,10 @@
 
 #include <limits>
 
+#include "dynamics/stopping_impulse.hpp"
 #include "graze/plane/rigid.hpp"
 
 namespace graze {
-
-namespace {
-
-/// The matrix K: the change of the relative velocity at a point by an impulse on B there and its opposite on A.
-template <class T>
-struct Yielding {
-  const InverseMass<T>& a;
-  const InverseMass<T>& b;
-  Vec3<T> from_a, from_b;  ///< the point seen from the centres of mass
-
-  Vec3<T> operator*(const Vec3<T>& impulse) const {
-    return impulse * (a.mass + b.mass) + cross(a.inertia * cross(from_a, impulse), from_a) +
-           cross(b.inertia * cross(from_b, impulse), from_b);
-  }
-};
-
-/// The impulse perpendicular to `normal` that changes the tangential velocity by minus `sliding`: the tangential
-/// 2×2 block of K is solved by elimination, the larger pivot first, so that the smaller one stays positive.
-template <class T>
-Vec3<T> stopping(const Yielding<T>& k, const Vec3<T>& normal, const Vec3<T>& sliding) {
-  Vec3<T> u = any_perpendicular(normal), v = cross(normal, u);
-  Vec3<T> ku = k * u, kv = k * v;
-  if (dot(u, ku) < dot(v, kv)) {
-    std::swap(u, v);
-    std::swap(ku, kv);
-  }
-  const T uu = dot(u, ku), uv = dot(u, kv), vv = dot(v, kv);
-  const T factor = uv / uu;
-  const T y = -(dot(v, sliding) - factor * dot(u, sliding)) / (vv - factor * uv);
-  const T x = -(dot(u, sliding) + uv * y) / uu;
-  return u * x + v * y;
-}
-
-}  // namespace
 
 template <class T, class Space>
 typename Rigid<Space>::Motion apply_impulse(const StruckBody<T, Space>& body, const typename Space::Vec& impulse,

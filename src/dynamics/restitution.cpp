@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "dynamics/rolling_arm.hpp"
 #include "dynamics/simulation_parts.hpp"
+#include "dynamics/stopping_impulse.hpp"
 #include "graze/plane/blows.hpp"
-#include "shape/rounding.hpp"
 
 namespace graze {
 
@@ -44,9 +45,7 @@ Roundness<T> roundness_of(const Shape<T>& shape) {
 }
 template <class T>
 Roundness<T> roundness_of(const plane::Shape<T>& shape) {
-  if (const auto* circle = shape.template as<plane::Circle<T>>()) return {circle->radius() + shape.rounding(), true};
-  const auto* capsule = shape.template as<plane::Capsule<T>>();
-  return {(capsule ? least(capsule->radius_bottom(), capsule->radius_top()) : T(0)) + shape.rounding()};
+  return {rounding_radius(shape), shape.template as<plane::Circle<T>>() != nullptr};
 }
 
 /// A point of a manifold where the bodies are now.
@@ -105,7 +104,14 @@ Meeting<T> meeting_of_balls(const Vec& d, const Vec& v, T r) {
   return {beyond / (root - half), root / r};
 }
 
-/// The meeting at a point of a manifold. `behind_a` and `behind_b`: for how long the bodies have still to move on.
+/// The acceleration of a body's material point along its circle.
+template <class T, class Space>
+typename Space::Vec toward_center(const MotionIn<Space>& motion, const typename Space::Vec& point) {
+  return cross(motion.angular, cross(motion.angular, point - motion.center));
+}
+
+/// The meeting at a point of a manifold, which turns with its bodies: a corner that hardly moves may be about to come
+/// down fast. `behind_a` and `behind_b`: for how long the bodies have still to move on.
 template <class T, class Space>
 Meeting<T> meeting_at(MovedPoint<T, Space> at, const MotionIn<Space>& a, const MotionIn<Space>& b, T behind_a,
                       T behind_b) {
@@ -115,8 +121,13 @@ Meeting<T> meeting_at(MovedPoint<T, Space> at, const MotionIn<Space>& a, const M
     return meeting_of_balls(at.core_b - at.core_a, velocity_at(b, at.core_b) - velocity_at(a, at.core_a),
                             at.round_a.radius + at.round_b.radius);
   const auto point = at.position();
-  const T speed = dot(velocity_at(a, point) - velocity_at(b, point), at.normal);
-  return speed > T(0) ? Meeting<T>{at.distance() / speed, speed} : Meeting<T>{};
+  const T gap = at.distance(), speed = dot(velocity_at(a, point) - velocity_at(b, point), at.normal);
+  const T bent = dot(toward_center<T, Space>(a, at.core_a) - toward_center<T, Space>(b, at.core_b), at.normal);
+  // The first root of gap - speed t - bent t² / 2, and the speed of the approach there.
+  const T square = speed * speed + T(2) * bent * gap;
+  if (!(square > T(0)) || !(speed > T(0) || gap > T(0))) return {};
+  const T then = std::sqrt(square);
+  return speed + then > T(0) ? Meeting<T>{T(2) * gap / (speed + then), then} : Meeting<T>{};
 }
 
 /// The first blow that a body has part in, as the time from now; later than any without.
@@ -144,18 +155,17 @@ T time_of_blow(const SimulationParts<T, Space>& parts, const ContactPair<T>& pai
   const T share = share_of(parts, pair);
   const bool flown = parts.shares[pair.a] != T(1) || parts.shares[pair.b] != T(1);
   const T gained = slow / bouncing_steps<T>;  // at most, by gravity in the step
-  bool known = flown;
   T first = std::numeric_limits<T>::infinity(), soonest = first;
   const T behind_a = (parts.shares[pair.a] - share) * dt, behind_b = (parts.shares[pair.b] - share) * dt;
   for (const SolverPoint<T, Space>& p : points) {
-    known = known || !(p.impulse == typename Space::Vec{});
+    const bool known = flown || !(p.impulse == typename Space::Vec{});
     const Meeting<T> meeting = meeting_at(moved<T, Space>(parts, pair, m.normal, p), a, b, behind_a, behind_b);
     if (!(meeting.speed > slow)) continue;
-    first = least(first, meeting.time);
+    first = least(first, greatest(meeting.time, known ? T(0) : -dt));
     soonest = least(soonest, meeting.time * meeting.speed / (meeting.speed + gained));
   }
   if (soonest > dt * share) return std::numeric_limits<T>::infinity();
-  return greatest(least(first, dt * share), known ? T(0) : -dt);
+  return least(first, dt * share);
 }
 
 /// Takes the struck body along its flight to the blow.
@@ -190,7 +200,8 @@ std::uint32_t place_of(const SimulationParts<T, Space>& parts, std::span<const s
   return static_cast<std::uint32_t>(island.bodies.size() - 1);
 }
 
-/// Adds Coulomb's friction at each point that was struck, no more than ends the sliding there.
+/// Adds Coulomb's friction at each point that was struck, no more than ends the sliding there: at one point as
+/// `response` has it.
 template <class T, class Space>
 void rub(IslandBlows<T, Space>& island) {
   for (std::size_t k = 0; k < island.blows.size(); ++k) {
@@ -201,16 +212,11 @@ void rub(IslandBlows<T, Space>& island) {
       const typename Space::Vec& at = island.points[i];
       const typename Space::Vec v = velocity_at(b.motion, at) - velocity_at(a.motion, at);
       const typename Space::Vec slip = v - blow.normal * dot(v, blow.normal);
-      const T speed = length(slip);
-      if (!(speed > T(0))) continue;
-      const typename Space::Vec along = slip / speed;
-      const auto yields = [&](const StruckBody<T, Space>& body) {
-        const typename Space::Turning turn = cross(at - body.motion.center, along);
-        return body.mass.mass + dot(turn, body.mass.inertia * turn);
-      };
-      const T push = least(island.friction[k] * island.impulses[i], speed / (yields(a) + yields(b)));
-      a.motion = apply_impulse(a, along * push, at);
-      b.motion = apply_impulse(b, along * -push, at);
+      typename Space::Vec push = stopping_impulse(a, b, at, blow.normal, slip);
+      const T needed = length(push), most = island.friction[k] * island.impulses[i];
+      if (needed > most) push = push * (most / needed);
+      a.motion = apply_impulse(a, -push, at);
+      b.motion = apply_impulse(b, push, at);
     }
   }
 }
@@ -345,7 +351,9 @@ void SimulationParts<T, Space>::pass_blows_on(T dt) {
   }
 }
 
-#define GRAZE_PASS_BLOWS_ON(T, Space) template void SimulationParts<T, Space>::pass_blows_on(T);
+#define GRAZE_PASS_BLOWS_ON(T, Space)                                                                                  \
+  template bool SimulationParts<T, Space>::may_bounce(const ContactPair<T>&) const;                                    \
+  template void SimulationParts<T, Space>::pass_blows_on(T);
 GRAZE_PASS_BLOWS_ON(float, Space<float>)
 GRAZE_PASS_BLOWS_ON(double, Space<double>)
 GRAZE_PASS_BLOWS_ON(float, plane::Space<float>)

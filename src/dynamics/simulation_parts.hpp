@@ -163,6 +163,7 @@ struct SimulationParts {
   void find_islands();
   typename Space::Vec rolled_by(std::uint32_t index, const typename Space::Vec& outward,
                                 const typename Space::Vec& point, T time) const;
+  T round_at(std::uint32_t index, const typename Space::Vec& outward, const typename Space::Vec& point) const;
   void solve_island(IslandSolver<T, Space>& solver, const Islands::Range& island, T dt, Executor* threads);
   IslandBody<T, Space> island_body(std::uint32_t index) const;
   void pass_blows_on(T dt);  // restitution.cpp

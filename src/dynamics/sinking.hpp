@@ -36,9 +36,10 @@ struct MovingPair {
 
 /// The time within `duration` up to which two bodies that touch get no deeper than by half of what is left to `most`:
 /// so that no row of steps takes them further. An eighth of `most` is allowed in any case, or they would hang where
-/// they are. Nothing where 32 steps of conservative advancement do not tell, as of wheels that move by several times
-/// their width: these sink by no turning. Costs a distance for each step; of two that get no deeper, one for each half
-/// of `most` that they move.
+/// they are. Where 32 steps of conservative advancement do not tell, the time that they reached for what is deeper at
+/// the end, as a long rod that turns down; else nothing, as of wheels that move by several times their width: these
+/// sink by no turning. Costs a distance for each step; of two that get no deeper, one for each half of `most` that they
+/// move.
 template <class T, class Space>
 std::optional<T> time_to_sink(const MovingPair<T, Space>& pair, T most, T duration) {
   constexpr int steps = 32;
@@ -51,6 +52,7 @@ std::optional<T> time_to_sink(const MovingPair<T, Space>& pair, T most, T durati
     left = at_first + more - pair.depth(time);
     if (left < more / T(4)) return time;
   }
+  if (pair.depth(duration) > at_first + more) return time;
   return {};
 }
 

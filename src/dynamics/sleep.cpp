@@ -68,6 +68,9 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
     const auto members = islands.bodies_of(islands.ranges()[k]);
     const auto links_here = islands.links_of(islands.ranges()[k]);
     bool still = std::none_of(links_here.begin(), links_here.end(), [&](std::uint32_t l) { return is_driven(l); });
+    const bool held = std::any_of(links_here.begin(), links_here.end(), [&](std::uint32_t l) {
+      return movable[links[l].a] == 0 || movable[links[l].b] == 0;
+    });
     for (const std::uint32_t i : members) {
       SimulatedBody<T, Space>& body = bodies[i];
       const MotionIn<Space> m = motion(i);
@@ -75,8 +78,8 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
       body.rested = speed < resting_speed<T> * scale.speed(body.size) ? body.rested + dt : T(0);
       const T long_enough = greatest(resting_time<T> * scale.time(body.size), resting_steps<T> * dt);
       still = still && body.may_sleep && body.rested >= long_enough;
-      // A body that nothing holds goes on, however slowly.
-      still = still && (!links_here.empty() || speed == T(0));
+      // What nothing immovable holds goes on, however slowly: it has a momentum to keep.
+      still = still && (held || speed == T(0));
     }
     if (!still) continue;
     for (const std::uint32_t i : members) {

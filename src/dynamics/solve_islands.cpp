@@ -84,6 +84,17 @@ auto SimulationParts<T, Space>::rolled_by(std::uint32_t index, const typename Sp
          time;
 }
 
+/// The radius of the ball that a body's surface is at a point of contact; nothing for a body that is not moved.
+template <class T, class Space>
+T SimulationParts<T, Space>::round_at(std::uint32_t index, const typename Space::Vec& outward,
+                                      const typename Space::Vec& point) const {
+  const SimulatedBody<T, Space>& body = bodies[index];
+  if (!body.moves) return T(0);
+  const typename Space::Pose& pose = found_at[index];
+  return radius_of_rolling(world.bodies().shapes()[index], rotate(conjugate(pose.rotation), outward),
+                           inverse_transform(pose, point));
+}
+
 template <class T, class Space>
 void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, const Islands::Range& island, T dt,
                                              Executor* threads) {
@@ -114,6 +125,12 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
                                             {sides.combined(), belt_of(*sides.b, pair->b) - belt_of(*sides.a, pair->a),
                                              least(body_a.size, body_b.size)}};
           if (touching.between.material.rolling_friction > T(0)) touching.rolling = rolling.of(first);
+          for (const ContactManifold<T, Space>& m : manifolds) {
+            if (m.point_count == 0) continue;
+            touching.between.round_a = round_at(pair->a, m.normal, contacts.points_of(m)[0].a);
+            touching.between.round_b = round_at(pair->b, -m.normal, contacts.points_of(m)[0].b);
+            break;
+          }
           if (manifolds.size() == 1 && manifolds[0].point_count == 1) {
             const auto& point = contacts.points_of(manifolds[0])[0];
             touching.between.rolled_a = rolled_by(pair->a, manifolds[0].normal, point.a, dt / T(2));

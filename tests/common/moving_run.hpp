@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 4891525043277789386u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 10229283872438147768u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 464532718931697751u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 6157906871582210713u;
 
 template <class T>
 class MovingRun {

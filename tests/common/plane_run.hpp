@@ -21,9 +21,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_plane_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<float> = 15498388306654635049u;
+inline constexpr std::uint64_t golden_plane_bits<float> = 9704311080204393405u;
 template <>
-inline constexpr std::uint64_t golden_plane_bits<double> = 11639209844102349924u;
+inline constexpr std::uint64_t golden_plane_bits<double> = 11658807889925581475u;
 
 }  // namespace graze::testing
 

@@ -245,5 +245,43 @@ TEST(ContinuousTumbling, WhatTurnsFastStaysAboveTheGroundOfThePlane) {
       }
 }
 
+/// Long, flat, pointed and round bodies, thrown down fast and turning, stay above a surface without thickness: also
+/// those that a contact stops in the step in which they went through it, and those whose ends turn down beside it.
+TEST(ContinuousTumbling, WhatIsThrownDownStaysAboveAMesh) {
+  const std::vector<Vec3d> corners{{-5, 0, -5}, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}};
+  const Mesh<double> ground(corners, {{0, 1, 2}, {0, 2, 3}});
+  const std::vector<Vec3d> pyramid{{0.1, 0, 0}, {-0.1, 0.05, 0}, {-0.1, -0.05, 0.08}, {-0.1, -0.05, -0.08}};
+  const std::pair<Shape<double>, double> thrown[] = {{Ellipsoid<double>({0.3, 0.05, 0.05}), 40},
+                                                     {Box<double>({1, 0.05, 0.05}), 20},
+                                                     {ConvexHull<double>(pyramid), 40},
+                                                     {Capsule<double>(0.1, 0.025), 60}};
+  for (const auto& [shape, speed] : thrown) {
+    std::mt19937 random(5);
+    const auto number = [&] { return static_cast<double>(random() % 4096) / 2048 - 1; };
+    const auto vector = [&] {
+      const double x = number(), y = number();
+      return Vec3d{x, y, number()};
+    };
+    for (int k = 0; k < 60; ++k) {
+      SimulationSettings<double> with_sleep = settings<double>(10, true);
+      Simulation<double> s(with_sleep);
+      Body<double> floor{ground};
+      floor.fixed = true;
+      s.add(floor);
+      const Vec3d axis = vector();
+      const Vec3d at = vector();
+      const BodyId id = s.add({shape,
+                               {{at.x, 3 + at.y, at.z}, normalized(Quatd{axis.x, axis.y, axis.z, 0.5})},
+                               {0, -speed, 0},
+                               vector() * 20.0});
+      for (int i = 0; i < 120; ++i) s.step(1.0 / 60);
+      const Vec3d c = s.motion(id).center;
+      if (std::abs(c.x) < 4.5 && std::abs(c.z) < 4.5) {
+        EXPECT_GT(c.y, 0) << speed << " m/s, " << k;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graze::testing

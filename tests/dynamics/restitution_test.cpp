@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "dynamics/simulated.hpp"
+#include "graze/free_motion.hpp"
+#include "graze/impulse.hpp"
 #include "graze/plane/simulation.hpp"
 
 namespace graze::testing {
@@ -107,6 +109,39 @@ TEST(Restitution, DiscsThatBounceAskewDoNotSpin) {
         s.add({plane::Circle<double>(0.25), {{0.6 * i, 1.0 + 0.13 * i}, {}}, {4.0 - i, -1.0 * i}}, {}, smooth));
   for (int i = 0; i < 300; ++i) s.step(1.0 / 60);
   for (const BodyId disc : discs) EXPECT_NEAR(s.motion(disc).angular, 0, 1e-9) << disc.index;
+}
+
+/// A box that comes down on a corner, turning: one blow with friction, as the closed form of one contact has it.
+TEST(Restitution, ABlowOnACornerIsTheResponse) {
+  Material<double> rough;
+  rough.static_friction = rough.dynamic_friction = 0.3;
+  rough.restitution = 0.5;
+  std::mt19937 random(3);
+  const auto number = [&] { return static_cast<double>(random() % 1024) / 512 - 1; };
+  for (int k = 0; k < 40; ++k) {
+    SimulationSettings<double> free = settings<double>(0);
+    Simulation<double> s(free);
+    add_floor(s, rough);
+    const Quatd turned = normalized(Quatd{0.4 + 0.1 * number(), 0.2 * number(), 0.3 + 0.1 * number(), 0.8});
+    const Vec3d half{0.5, 0.3, 0.4};
+    double lowest = 0;
+    Vec3d corner{};
+    for (int i = 0; i < 8; ++i) {
+      const Vec3d c = rotate(turned, {i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+      if (c.y < lowest) lowest = c.y, corner = c;
+    }
+    const Vec3d linear{number(), -3, number()}, angular{number(), number(), number()};
+    const BodyId box = s.add({Box<double>(half * 2.0), {{0, -lowest, 0}, turned}, linear, angular}, {}, rough);
+    const double mass = s.mass(box);
+    const Vec3d moments =
+        Vec3d{half.y * half.y + half.z * half.z, half.x * half.x + half.z * half.z, half.x * half.x + half.y * half.y} *
+        (mass / 3);
+    const StruckBody<double> ground{}, falling{{linear, angular, {0, -lowest, 0}}, inverse_mass(mass, moments, turned)};
+    const Response<double> expected = response({corner + Vec3d{0, -lowest, 0}, {0, 1, 0}, 0.5, 0.3}, ground, falling);
+    s.step(1e-4);
+    EXPECT_LT(length(s.motion(box).linear - expected.b.linear), 5e-3) << k;
+    EXPECT_LT(length(s.motion(box).angular - expected.b.angular), 2e-2) << k;
+  }
 }
 
 }  // namespace
