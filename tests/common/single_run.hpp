@@ -22,9 +22,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_single_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_single_bits<float> = 14999871353034940442u;
+inline constexpr std::uint64_t golden_single_bits<float> = 9669195406108903504u;
 template <>
-inline constexpr std::uint64_t golden_single_bits<double> = 12347237555892476440u;
+inline constexpr std::uint64_t golden_single_bits<double> = 1283458823056977205u;
 
 /// Shapes of every kind, poses, and questions about them.
 template <class T>
@@ -35,7 +35,10 @@ class SingleRun {
     for (const Shape<T>& a : shapes) {
       for (int i = 0; i < 40; ++i) ask_alone(a, pose(1));
       for (const Shape<T>& b : shapes)
-        for (int i = 0; i < 6; ++i) ask_pair(a, pose(0.7f), b, pose(0.7f));
+        for (int i = 0; i < 6; ++i) {
+          const Pose<T> at_a = pose(0.7f), at_b = pose(0.7f);
+          ask_pair(a, at_a, b, at_b);
+        }
     }
     return hash_.value();
   }
