@@ -1566,6 +1566,8 @@ export const checks = [
       const known = simulation.joint(hinge);
       equal([simulation.joints(), known.frameB, known.limits[0].axes], [[hinge], { translation: [0, 1], rotation: 0 }, ["x", "y"]], "the joint");
       ok(simulation.subSteps(crate) >= 4 && typeof simulation.stateHash() === "bigint", "sub-steps and a hash");
+      simulation.setJoint(hinge, simulation.joint(hinge));
+      simulation.setFilter(simulation.joint(hinge).b, {});
       simulation.removeJoint(hinge);
       simulation.remove(crate);
       equal(simulation.world.size, 1, "bodies");
