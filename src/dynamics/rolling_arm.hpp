@@ -75,11 +75,12 @@ T smaller_curvature_radius(const Vec3<T>& radii, const Vec3<T>& n) {
 }
 
 /// The radius of a ball whose surface is that of the shape about a point of contact, however the shape turns; of
-/// cylinders and cones, however they turn about their axis. `outward`, unit, and `point` are in the shape's frame.
+/// cylinders that lie, however they turn about their axis. `outward`, unit, and `point` are in the shape's frame.
 template <class T>
 T radius_of_rolling(const Shape<T>& shape, const Vec3<T>& outward, const Vec3<T>& point) {
   const T around = rounding_radius(shape);
   if (shape.template as<Cylinder<T>>()) {
+    if (std::abs(outward.y) > face_lean<T>) return around;  // on its rim, it would be lifted as it rocks
     const Vec3<T> on_core = point - outward * around;
     return around + greatest(T(0), on_core.x * outward.x + on_core.z * outward.z);
   }

@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_moving_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<float> = 10229283872438147768u;
+inline constexpr std::uint64_t golden_moving_bits<float> = 17953683369088362827u;
 template <>
-inline constexpr std::uint64_t golden_moving_bits<double> = 6157906871582210713u;
+inline constexpr std::uint64_t golden_moving_bits<double> = 738942080703002073u;
 
 template <class T>
 class MovingRun {
