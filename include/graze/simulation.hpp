@@ -183,8 +183,8 @@ class GRAZE_API Simulation {
   State<T, Space> save() const;  ///< all that `restore` needs
   /// Goes back to a state of this simulation, or on from one of another with the same bodies and joints, added and
   /// removed in the same order: the steps after it have the same bits. Throws `InvalidValue` where there are other
-  /// bodies or joints now: of another handle, kind of shape, size or mass, or joints of other bodies. Costs an update of the
-  /// world. Joints get the frames, limits and drives that they had, bodies keep their filters. The events of the
+  /// bodies or joints now: of another handle, kind of shape, size or mass, or joints of other bodies. Costs an update
+  /// of the world. Joints get the frames, limits and drives that they had, bodies keep their filters. The events of the
   /// steps after it are those of the saved run.
   void restore(const State<T, Space>& state);
 

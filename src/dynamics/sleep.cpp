@@ -78,7 +78,7 @@ void SimulationParts<T, Space>::put_to_sleep(T dt) {
       body.rested = speed < resting_speed<T> * scale.speed(body.size) ? body.rested + dt : T(0);
       const T long_enough = greatest(resting_time<T> * scale.time(body.size), resting_steps<T> * dt);
       still = still && body.may_sleep && body.rested >= long_enough;
-      // What nothing immovable holds goes on, however slowly: it has a momentum to keep.
+      // Bodies that nothing immovable holds go on, however slowly: they have a momentum to keep.
       still = still && (held || speed == T(0));
     }
     if (!still) continue;

@@ -129,7 +129,8 @@ inline auto lanes_from(const V& v, std::index_sequence<I...>) {
 #endif
 
 /// A number that is to fill all lanes. For WebAssembly it is read where it stands in the program: clang 14 turns a read
-/// and the filling into one instruction that it does not take for a read, and moves it behind later writes to that place.
+/// and the filling into one instruction that it does not take for a read, and moves it behind later writes to that
+/// place.
 template <class T>
 [[gnu::always_inline]] inline T read_here(T value) {
 #if defined(__wasm__)

@@ -43,13 +43,13 @@ class Side {
   Vec3d core_support(const Vec3d& direction) const {
     return placed(ShapeCore<T>(shape_).core_support(transposed_times(turn_, direction)));
   }
-  /// The support face, which leans little from the direction; with `sides`, the one that leans least, but of capsules and
-  /// segments, whose special pairs have one point where their side leans.
+  /// The support face, which leans little from the direction; with `sides`, the one that leans least, but of capsules
+  /// and segments, whose special pairs have one point where their side leans.
   PlacedFace face(const Vec3d& direction, bool sides = false) const {
     return face_within(direction, sides && !straight_ ? side_lean<T> : face_lean<T>);
   }
-  /// The face on a half-space, which clips nothing: the one that leans least. Where the side of a tapered capsule leans,
-  /// an end ball reaches beyond its generator.
+  /// The face on a half-space, which clips nothing: the one that leans least. Where the side of a tapered capsule
+  /// leans, an end ball reaches beyond its generator.
   PlacedFace face_on_plane(const Vec3d& direction) const {
     const auto* capsule = shape_.template as<Capsule<T>>();
     return face_within(direction, capsule && capsule->tapered() ? face_lean<T> : side_lean<T>);

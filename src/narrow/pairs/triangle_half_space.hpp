@@ -1,8 +1,8 @@
 // A triangle on a half-space: the corners of its support face, each with its own height, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit, and the
-// lowest point's; the face is the one that `Triangle::core_face` gives up to `side_lean`, up to rounding of its lean, with
-// its vertices in that order. There are points exactly where the distance is within the margin.
+// lowest point's; the face is the one that `Triangle::core_face` gives up to `side_lean`, up to rounding of its lean,
+// with its vertices in that order. There are points exactly where the distance is within the margin.
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
