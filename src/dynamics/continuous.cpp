@@ -159,8 +159,8 @@ struct HeldBody {
 /// of its spin is taken, as by the blows that a shorter step would show.
 template <class T>
 constexpr T followed_turn = T(1);
-/// The angle in a step for a body that is held back and does not bounce, whose spin is no blow's: of 16,500 bodies, round, flat and long, that are
-/// thrown down at 20 to 60 m/s, 25 came out below without this.
+/// The angle in a step for a body that is held back and does not bounce, whose spin is no blow's: of 16,500 bodies,
+/// round, flat and long, that are thrown down at 20 to 60 m/s, 25 came out below without this.
 template <class T>
 constexpr T followed_turn_at_rest = T(0.5);
 

@@ -43,10 +43,21 @@ Quatf random_lean(int i, Random& random) {
   return normalized(Quatf{v.x, v.y, v.z, 1} * faces[random() % 4]);
 }
 
+/// Whether the corners of a triangle lie on a line, as far as rounding tells: its edges then lean alike, and which of
+/// them is the lower one is rounding's choice.
+template <class T>
+bool edges_lean_alike(const Shape<T>& shape, double rounding) {
+  const auto* triangle = shape.template as<Triangle<T>>();
+  if (!triangle) return false;
+  const Vec3<T> along = triangle->point(1) - triangle->point(0), other = triangle->point(2) - triangle->point(0);
+  return static_cast<double>(length(cross(along, other))) <=
+         rounding * static_cast<double>(length(along) * length(other));
+}
+
 template <class T>
 void expect_as_in_double(unsigned seed, double tolerance_of_size) {
   Random random(seed);
-  int compared = 0, other_faces = 0;
+  int compared = 0;
   for (int i = 0; i < 8000; ++i) {
     const Shape<T> shape = random_resting_shape<T>(i, random), plane(HalfSpace<T>(), T(i % 5 == 0 ? 0.2 : 0));
     const Pose<T> ground{converted<T>(random_vector(random, 3.0f)), normalized(converted<T>(random_rotation(random)))};
@@ -73,8 +84,10 @@ void expect_as_in_double(unsigned seed, double tolerance_of_size) {
       const auto same = std::find_if(slow[0].points.begin(), slow[0].points.end(),
                                      [&](const auto& q) { return q.feature == p.feature; });
       if (same == slow[0].points.end()) {
-        // It lies as high as points are wanted, or on another face that leans as much.
-        other_faces += std::abs(static_cast<double>(p.distance) - 0.05) > near ? 1 : 0;
+        // Either it lies as high as points are wanted, or another edge leans as much.
+        if (!edges_lean_alike(shape, tolerance_of_size)) {
+          EXPECT_NEAR(static_cast<double>(p.distance), 0.05, near);
+        }
         continue;
       }
       ++compared;
@@ -89,7 +102,6 @@ void expect_as_in_double(unsigned seed, double tolerance_of_size) {
         near);
   }
   EXPECT_GT(compared, 6000);
-  EXPECT_LE(other_faces, 4);
 }
 
 TEST(HalfSpaceContacts, AreThoseOfTheGeneralPath) {
